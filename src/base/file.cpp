@@ -54,7 +54,8 @@ class TemporaryName {
 };
 
 std::filesystem::path userFolder(const char* variable, const char* fallback) {
-  if (const char* folder = std::getenv(variable); folder && *folder) return std::filesystem::path(folder) / "idap";
+  if (const char* folder = std::getenv(variable); folder && *folder)
+    return std::filesystem::path(folder) / "idap";
   const char* home = std::getenv("HOME");
   return std::filesystem::path(home && *home ? home : "/tmp") / fallback / "idap";
 }
@@ -125,7 +126,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::span<const std:
   if (file.close() != 0) fail(path, "write", errno);
   if (::rename(name.c_str(), target.c_str()) != 0) fail(path, "write", errno);
   temporary.keep();
-  OpenFile folder(::open(target.has_parent_path() ? target.parent_path().c_str() : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  OpenFile folder(::open(target.has_parent_path() ? target.parent_path().c_str() : ".",
+                         O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() >= 0) ::fsync(folder.get());
 }
 

@@ -1,4 +1,5 @@
-// Diagnostics for developers and bug reports, on standard error; silent below warnings unless IDAP_LOG says more.
+// Diagnostics for developers and bug reports, on standard error; silent below warnings unless IDAP_LOG says
+// more.
 #pragma once
 
 #include <spdlog/spdlog.h>

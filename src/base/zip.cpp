@@ -54,8 +54,7 @@ ZipReader::ZipReader(SharedBytes archive, std::string fileName, ZipLimits limits
   impl_->limits = limits;
   zip_error_t error;
   zip_error_init(&error);
-  zip_source_t* source =
-      zip_source_buffer_create(impl_->archive->data(), impl_->archive->size(), 0, &error);
+  zip_source_t* source = zip_source_buffer_create(impl_->archive->data(), impl_->archive->size(), 0, &error);
   if (!source) throw ParseError(impl_->fileName, "", "not a ZIP archive: " + reasonOf(&error));
   impl_->zip = zip_open_from_source(source, ZIP_RDONLY, &error);
   if (!impl_->zip) {
@@ -64,7 +63,8 @@ ZipReader::ZipReader(SharedBytes archive, std::string fileName, ZipLimits limits
   }
   zip_error_fini(&error);
   const auto count = static_cast<zip_uint64_t>(zip_get_num_entries(impl_->zip, 0));
-  if (count > limits.maxEntries) throw ParseError(impl_->fileName, "", fmt::format("too many entries ({})", count));
+  if (count > limits.maxEntries)
+    throw ParseError(impl_->fileName, "", fmt::format("too many entries ({})", count));
   std::size_t total = 0;
   for (zip_uint64_t i = 0; i < count; ++i) {
     zip_stat_t info;
@@ -75,10 +75,12 @@ ZipReader::ZipReader(SharedBytes archive, std::string fileName, ZipLimits limits
     const std::size_t size = (info.valid & ZIP_STAT_SIZE) ? info.size : 0;
     const std::size_t packed = (info.valid & ZIP_STAT_COMP_SIZE) ? info.comp_size : 0;
     if (size > limits.maxEntryBytes) throw ParseError(impl_->fileName, name, "the entry is too large");
-    if (size > (std::size_t{1} << 20) && static_cast<double>(size) > limits.maxRatio * static_cast<double>(packed + 1))
+    if (size > (std::size_t{1} << 20) &&
+        static_cast<double>(size) > limits.maxRatio * static_cast<double>(packed + 1))
       throw ParseError(impl_->fileName, name, "the entry's compression ratio is not plausible");
     total += size;
-    if (total > limits.maxTotalBytes) throw ParseError(impl_->fileName, name, "the archive unpacks to too much");
+    if (total > limits.maxTotalBytes)
+      throw ParseError(impl_->fileName, name, "the archive unpacks to too much");
     if (impl_->index.emplace(name, i).second) impl_->names.push_back(std::move(name));
   }
 }

@@ -1,4 +1,5 @@
-// An indexed triangle mesh whose triangles carry a material slot. Metres, float; front faces counter-clockwise.
+// An indexed triangle mesh whose triangles carry a material slot. Metres, float; front faces
+// counter-clockwise.
 #pragma once
 
 #include <array>
@@ -28,7 +29,8 @@ struct Mesh {
 };
 
 // Appends b to a, moved by t (which may mirror: winding is kept outward), its slots shifted by slotOffset.
-// Where one side has normals or uvs and the other has not, the missing ones are made (face normals, zero uvs).
+// Where one side has normals or uvs and the other has not, the missing ones are made (face normals, zero
+// uvs).
 void append(Mesh& a, const Mesh& b, const Transformf& t = {}, std::uint32_t slotOffset = 0);
 
 // Gives every vertex the area-weighted mean normal of the triangles around it that lie within creaseAngle

@@ -25,8 +25,8 @@ bool contains(const Polygon& polygon, Vec2 point);  // even-odd; points on the b
 Box2 bounds(const Polygon& polygon);
 double perimeter(const Polygon& polygon);
 
-// Set operations. Inputs may be self-intersecting or in any orientation: they are repaired first. Results drop
-// slivers under 1e-9 m2. Never throw for finite input: what GEOS cannot do comes back empty.
+// Set operations. Inputs may be self-intersecting or in any orientation: they are repaired first. Results
+// drop slivers under 1e-9 m2. Never throw for finite input: what GEOS cannot do comes back empty.
 Regions repair(const Polygon& polygon);
 Regions unite(const Regions& a, const Regions& b);
 Regions unite(const std::vector<Polygon>& polygons);

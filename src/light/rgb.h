@@ -1,5 +1,5 @@
-// Light and reflectance in linear RGB with the sRGB (Rec. 709) primaries. Photometric throughout: a radiance's
-// luminance() is in cd/m2, an irradiance's in lux.
+// Light and reflectance in linear RGB with the sRGB (Rec. 709) primaries. Photometric throughout: a
+// radiance's luminance() is in cd/m2, an irradiance's in lux.
 #pragma once
 
 #include "geometry/vec.h"

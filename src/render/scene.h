@@ -1,5 +1,6 @@
 // What the renderer is given: meshes, surfaces, instances, lights, sky and portals, as plain values. It knows
-// nothing of homes. Metres, Z up, float, relative to a centre chosen by the maker so that coordinates stay small.
+// nothing of homes. Metres, Z up, float, relative to a centre chosen by the maker so that coordinates stay
+// small.
 #pragma once
 
 #include <cstdint>
@@ -41,54 +42,55 @@ struct Surface {
   std::string name;
   Rgb baseColor{0.8f, 0.8f, 0.8f};
   float metalness = 0.0f;
-  float roughness = 0.5f;      // perceptual; GGX alpha = roughness^2; 0 is a perfect mirror
-  float ior = 1.5f;            // of the dielectric layer; 1: no specular layer at all (pure Lambert)
-  float transmission = 0.0f;   // share of the base that lets light through clearly, tinted by baseColor
-  bool thin = true;            // transmission through a sheet (straight on) rather than into a solid (refracted)
-  float translucency = 0.0f;   // share of the diffuse base that leaves on the other side (lampshades, curtains, leaves)
-  float opacity = 1.0f;        // 0: not there at all
-  Rgb emission{};              // cd/m2, Lambertian, both sides
-  TexturePtr baseColorMap;     // multiplies baseColor; its alpha multiplies opacity
-  TexturePtr normalMap;        // tangent space, +Y up
-  TexturePtr roughnessMap;     // red channel multiplies roughness
+  float roughness = 0.5f;     // perceptual; GGX alpha = roughness^2; 0 is a perfect mirror
+  float ior = 1.5f;           // of the dielectric layer; 1: no specular layer at all (pure Lambert)
+  float transmission = 0.0f;  // share of the base that lets light through clearly, tinted by baseColor
+  bool thin = true;  // transmission through a sheet (straight on) rather than into a solid (refracted)
+  float translucency =
+      0.0f;  // share of the diffuse base that leaves on the other side (lampshades, curtains, leaves)
+  float opacity = 1.0f;     // 0: not there at all
+  Rgb emission{};           // cd/m2, Lambertian, both sides
+  TexturePtr baseColorMap;  // multiplies baseColor; its alpha multiplies opacity
+  TexturePtr normalMap;     // tangent space, +Y up
+  TexturePtr roughnessMap;  // red channel multiplies roughness
   Vec2f uvScale{1, 1};
   Vec2f uvOffset{};
-  float uvRotation = 0.0f;     // radians
+  float uvRotation = 0.0f;  // radians
   ClassicSurface classic;
 };
 
 struct Instance {
-  std::uint32_t mesh = 0;                // into Scene::meshes
-  Transformf transform;                  // object -> world; may scale unevenly and mirror
-  std::vector<std::uint32_t> surfaces;   // slot -> Scene::surfaces
-  std::uint32_t objectId = 0;            // for the object-id layer; 0: none
-  std::uint16_t lightGroup = 0;          // group of its emissive surfaces
-  bool visibleToCamera = true;           // false: casts shadows and bounces light, but primary rays pass
+  std::uint32_t mesh = 0;               // into Scene::meshes
+  Transformf transform;                 // object -> world; may scale unevenly and mirror
+  std::vector<std::uint32_t> surfaces;  // slot -> Scene::surfaces
+  std::uint32_t objectId = 0;           // for the object-id layer; 0: none
+  std::uint16_t lightGroup = 0;         // group of its emissive surfaces
+  bool visibleToCamera = true;          // false: casts shadows and bounces light, but primary rays pass
 };
 
 // A lamp that is a point, or a sphere if radius > 0 (then rays can hit it).
 struct Lamp {
   Vec3f position;
-  float radius = 0.0f;                   // m
-  Rgb intensity{};                       // cd, along the axis for a spot, in every direction otherwise
-  Vec3f axis{0, 0, -1};                  // unit
-  float beamAngle = 0.0f;                // full angle in radians at half intensity; 0: shines all around
-  bool lambertian = false;               // a point whose intensity falls with the cosine to the axis
+  float radius = 0.0f;      // m
+  Rgb intensity{};          // cd, along the axis for a spot, in every direction otherwise
+  Vec3f axis{0, 0, -1};     // unit
+  float beamAngle = 0.0f;   // full angle in radians at half intensity; 0: shines all around
+  bool lambertian = false;  // a point whose intensity falls with the cosine to the axis
   std::uint16_t lightGroup = 0;
 };
 
 struct Sun {
-  Vec3f direction{0, 0, 1};              // unit, towards the sun
-  Rgb illuminance{};                     // lux on a surface that faces it; 0: no sun
-  float angularRadius = 0.00465f;        // radians
+  Vec3f direction{0, 0, 1};        // unit, towards the sun
+  Rgb illuminance{};               // lux on a surface that faces it; 0: no sun
+  float angularRadius = 0.00465f;  // radians
 };
 
-// Radiance from infinitely far away as an equirectangular picture: row 0 is the zenith, the last row the nadir;
-// column c looks along azimuth 2 pi (c + 0.5) / width measured from +X towards +Y. cd/m2.
+// Radiance from infinitely far away as an equirectangular picture: row 0 is the zenith, the last row the
+// nadir; column c looks along azimuth 2 pi (c + 0.5) / width measured from +X towards +Y. cd/m2.
 struct Sky {
   int width = 0;
   int height = 0;
-  std::vector<Rgb> radiance;             // empty: black
+  std::vector<Rgb> radiance;  // empty: black
 };
 
 // A rectangle in a window or other gap through which the sky lights a room: corner + s*edgeU + t*edgeV.
@@ -105,18 +107,18 @@ struct Scene {
   Sky sky;
   std::vector<Portal> portals;
   std::vector<std::string> lightGroups{"daylight"};  // names by index; 0 is sun and sky
-  Rgb classicBackground{0.6f, 0.75f, 0.95f};          // what the classic integrator shows where nothing is hit
+  Rgb classicBackground{0.6f, 0.75f, 0.95f};         // what the classic integrator shows where nothing is hit
 };
 
 enum class Projection { Perspective, Orthographic, Fisheye, Equirectangular };
 
 struct Camera {
   Vec3f eye;
-  Vec3f forward{0, 1, 0};                // unit
-  Vec3f up{0, 0, 1};                     // unit, square to forward
+  Vec3f forward{0, 1, 0};  // unit
+  Vec3f up{0, 0, 1};       // unit, square to forward
   Projection projection = Projection::Perspective;
-  float horizontalFov = 1.1f;            // radians, across the picture's width
-  float orthographicWidth = 10.0f;       // m, across the picture's width
+  float horizontalFov = 1.1f;       // radians, across the picture's width
+  float orthographicWidth = 10.0f;  // m, across the picture's width
 };
 
 }  // namespace idap::render

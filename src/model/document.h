@@ -1,0 +1,77 @@
+// A home being worked on: the current value, its history, and the file it came from. apply() is the only way
+// in.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/home.h"
+
+namespace idap {
+
+// An edit is a function from a home to a home, with a name for the undo menu.
+struct Edit {
+  std::string name;
+  std::function<Home(const Home&)> change;
+};
+
+// Not thread-safe: belongs to one thread; hand snapshots (home()) to others.
+class Document {
+ public:
+  explicit Document(Home home = {}, std::filesystem::path file = {});
+
+  const Home& home() const { return current_; }
+  const std::filesystem::path& file() const { return file_; }
+
+  // Validates and makes the change one undo step. Throws InvalidHome and changes nothing when the edit breaks
+  // the home; throws InvalidHome while a transaction is open. An edit that changes nothing leaves no step.
+  void apply(const Edit& edit);
+
+  // A drag: begin, any number of previews (each applied to the home as it was at begin), then commit or
+  // cancel.
+  void begin(std::string name);
+  void preview(const std::function<Home(const Home&)>& change);
+  void commit();
+  void cancel();
+  bool inTransaction() const { return transaction_.has_value(); }
+
+  bool canUndo() const { return !undo_.empty() && !transaction_; }
+  bool canRedo() const { return !redo_.empty() && !transaction_; }
+  std::string undoName() const;  // empty when there is nothing to undo
+  std::string redoName() const;
+  void undo();  // nothing happens when there is nothing to undo
+  void redo();
+
+  bool modified() const;  // differs from what was last saved
+  void markSaved(std::filesystem::path file);
+
+  // Called after every change of home(), with the home before. Returns a handle for unsubscribe.
+  using Listener = std::function<void(const Home& before, const Home& after)>;
+  int subscribe(Listener listener);
+  void unsubscribe(int handle);
+
+ private:
+  struct Step {
+    std::string name;
+    Home home;  // undo: the home before the step; redo: the home after it
+  };
+  struct Transaction {
+    std::string name;
+    Home before;
+  };
+  void swapTo(Home home);
+
+  Home current_;
+  std::uint64_t revision_ = 0, savedRevision_ = 0;
+  std::filesystem::path file_;
+  std::vector<Step> undo_, redo_;
+  std::optional<Transaction> transaction_;
+  std::vector<std::pair<int, Listener>> listeners_;
+  int nextHandle_ = 1;
+};
+
+}  // namespace idap
