@@ -1,0 +1,59 @@
+#include "render/film/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace idap::render {
+
+std::size_t Film::bytesNeeded(int w, int h, int groupCount) {
+  const std::size_t perPixel = 3 * sizeof(Rgb) + 2 * sizeof(float) + sizeof(std::uint32_t) +
+                               static_cast<std::size_t>(std::max(groupCount, 0)) * sizeof(Rgb);
+  return static_cast<std::size_t>(std::max(w, 0)) * static_cast<std::size_t>(std::max(h, 0)) * perPixel;
+}
+
+Film::Film(int w, int h, int groupCount) : width(w), height(h) {
+  if (w < 1 || h < 1) throw RenderError(fmt::format("a picture of {} x {} pixels has no pixels", w, h));
+  const std::size_t bytes = bytesNeeded(w, h, groupCount);
+  if (bytes > kMaxBytes || w > kMaxSide || h > kMaxSide) {
+    throw RenderError(
+        fmt::format("a picture of {} x {} pixels is too large: it would need {:.1f} GB of memory (the limit "
+                    "is {} GB and {} "
+                    "pixels a side); choose a smaller size",
+                    w, h, static_cast<double>(bytes) / (1 << 30), kMaxBytes >> 30, kMaxSide));
+  }
+  const std::size_t n = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+  try {
+    color.resize(n);
+    albedo.resize(n);
+    normal.resize(n);
+    depth.resize(n);
+    weight.resize(n);
+    objectId.resize(n);
+    groups.assign(static_cast<std::size_t>(std::max(groupCount, 0)), std::vector<Rgb>(n));
+  } catch (const std::bad_alloc&) {
+    throw RenderError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB of memory, which is not there",
+                                  w, h, static_cast<double>(bytes) / (1 << 30)));
+  }
+}
+
+std::vector<Rgb> Film::meanColors() const {
+  std::vector<Rgb> mean(pixels());
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = meanColor(i);
+  return mean;
+}
+
+void Film::clear() {
+  samples = 0;
+  std::ranges::fill(color, Rgb{});
+  std::ranges::fill(albedo, Rgb{});
+  std::ranges::fill(normal, Vec3f{});
+  std::ranges::fill(depth, 0.0f);
+  std::ranges::fill(weight, 0.0f);
+  std::ranges::fill(objectId, 0u);
+  for (std::vector<Rgb>& group : groups) std::ranges::fill(group, Rgb{});
+}
+
+}  // namespace idap::render
