@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -49,6 +50,8 @@ struct Home {
   Table<FurnitureId, Furniture> furniture;
   Table<GroupId, Group> groups;
   Table<CameraId, Camera> cameras;  // stored points of view, in order of id
+  std::optional<Camera> observer;   // where the person in the home stood when the file was saved
+  std::optional<Camera> aerial;     // the view from above of that moment
   Table<DimensionId, Dimension> dimensions;
   Table<LabelId, Label> labels;
   Table<PolylineId, Polyline> polylines;
