@@ -38,6 +38,12 @@ struct Finish {
   friend bool operator==(const Finish&, const Finish&) = default;
 };
 
+inline Finish plain(Color color) {
+  Finish finish;
+  finish.color = color;
+  return finish;
+}
+
 using SlotFinishes = std::map<std::string, Finish>;  // by the name of a model's material slot
 
 }  // namespace idap

@@ -72,7 +72,7 @@ struct Home {
 
 // The level's elevation; 0 for none or an unknown one.
 double elevationOf(const Home& home, LevelId level);
-// False when the element's level, or a group above it, is hidden.
+// False when the piece itself, its level, or a group above it is hidden.
 bool isShown(const Home& home, const Piece& piece);
 
 }  // namespace idap

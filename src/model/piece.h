@@ -54,6 +54,7 @@ struct Piece {
 
 // The piece's object space (metres, at its size) -> its level's space (add the level's elevation for the
 // world). Pitch and roll turn about the middle of the piece's box, so that its centre stays where it is.
+// Mirroring is part of it: a mirrored piece's determinant is -1.
 Transform placement(const Piece& piece);
 
 // The four corners of the piece's box on the plan, counter-clockwise from front left, ignoring pitch and

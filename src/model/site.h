@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "geometry/vec.h"
@@ -22,7 +23,7 @@ struct Site {
 };
 
 struct Environment {
-  Finish ground{.color = Color{0.66f, 0.66f, 0.66f}};
+  Finish ground = plain(Color{0.66f, 0.66f, 0.66f});
   std::optional<Color> skyColor;  // none: the physical sky. Kept for exchange; pictures use the physical sky
   std::optional<TextureRef> skyTexture;
   double wallTransparency = 0;  // of a view from above, 0..1
