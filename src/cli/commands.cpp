@@ -1,0 +1,20 @@
+#include "cli/command.h"
+
+namespace idap::cli {
+
+Job describeInfo(CLI::App& app);
+Job describeRender(CLI::App& app);
+Job describeConvert(CLI::App& app);
+Job describeCatalog(CLI::App& app);
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{
+      {"info", "Say what a home holds", describeInfo},
+      {"render", "Make a ray-traced picture of a home", describeRender},
+      {"convert", "Read a home in one format and write it in another", describeConvert},
+      {"catalog", "List, search and show furniture", describeCatalog},
+  };
+  return all;
+}
+
+}  // namespace idap::cli

@@ -1,0 +1,23 @@
+#include <CLI/App.hpp>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/open_home.h"
+
+namespace idap::cli {
+
+Job describeConvert(CLI::App& app) {
+  struct Options {
+    std::string input, output;
+  };
+  auto options = std::make_shared<Options>();
+  app.add_option("IN", options->input, "Home to read (.idap, .sh3d)")->required();
+  app.add_option("OUT", options->output, "Home to write; its extension says the format (.idap)")->required();
+  return [options] {
+    const ReadResult read = openHome(options->input);
+    writeHome(read.home, options->output);
+    return 0;
+  };
+}
+
+}  // namespace idap::cli
