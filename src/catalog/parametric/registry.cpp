@@ -1,0 +1,25 @@
+#include "catalog/parametric/registry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idap::parametric {
+
+int Parameters::count(const std::string& name, int fallback) const {
+  return static_cast<int>(std::lround(number(name, fallback)));
+}
+
+int fitting(double length, double each, int most) {
+  return std::clamp(static_cast<int>(std::lround(length / each)), 1, most);
+}
+
+const Generators& generators() {
+  static const Generators all = [] {
+    Generators g;
+    addChairs(g);
+    return g;
+  }();
+  return all;
+}
+
+}  // namespace idap::parametric
