@@ -54,7 +54,22 @@ ZipReader::ZipReader(SharedBytes archive, std::string fileName, ZipLimits limits
   impl_->limits = limits;
   zip_error_t error;
   zip_error_init(&error);
-  zip_source_t* source = zip_source_buffer_create(impl_->archive->data(), impl_->archive->size(), 0, &error);
+  open(zip_source_buffer_create(impl_->archive->data(), impl_->archive->size(), 0, &error), &error);
+}
+
+ZipReader::ZipReader(const std::filesystem::path& file, ZipLimits limits) : impl_(std::make_unique<Impl>()) {
+  impl_->fileName = file.string();
+  impl_->limits = limits;
+  if (std::error_code failed; !std::filesystem::is_regular_file(file, failed))
+    throw IoError(impl_->fileName + ": no such file");
+  zip_error_t error;
+  zip_error_init(&error);
+  open(zip_source_file_create(impl_->fileName.c_str(), 0, -1, &error), &error);
+}
+
+void ZipReader::open(zip_source* source, zip_error* opening) {
+  zip_error_t& error = *opening;
+  const ZipLimits& limits = impl_->limits;
   if (!source) throw ParseError(impl_->fileName, "", "not a ZIP archive: " + reasonOf(&error));
   impl_->zip = zip_open_from_source(source, ZIP_RDONLY, &error);
   if (!impl_->zip) {

@@ -1,12 +1,16 @@
 // Reading and writing ZIP archives held in memory, with bounds that keep a hostile archive from filling it.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/bytes.h"
+
+struct zip_error;
+struct zip_source;
 
 namespace idap {
 
@@ -22,6 +26,8 @@ struct ZipLimits {
 class ZipReader {
  public:
   ZipReader(SharedBytes archive, std::string fileName, ZipLimits limits = {});
+  // Reads entries from the file as they are asked for, without holding the archive. Throws IoError too.
+  explicit ZipReader(const std::filesystem::path& file, ZipLimits limits = {});
   ~ZipReader();
   ZipReader(ZipReader&&) noexcept;
   ZipReader& operator=(ZipReader&&) noexcept;
@@ -32,6 +38,7 @@ class ZipReader {
 
  private:
   struct Impl;
+  void open(zip_source* source, zip_error* error);
   std::unique_ptr<Impl> impl_;
 };
 
