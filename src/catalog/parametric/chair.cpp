@@ -1,0 +1,4 @@
+#include "catalog/parametric/registry.h"
+namespace idap::parametric {
+void addChairs(Generators&) {}
+}  // namespace idap::parametric
