@@ -1,0 +1,50 @@
+// From the film to a picture people look at: denoise, white balance, exposure, tone curve, 8 bits.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/image8.h"
+#include "render/film/film.h"
+#include "render/film/tone_map.h"
+
+namespace idap::render {
+
+class Denoiser;
+
+struct DevelopSettings {
+  std::optional<float> ev;  // EV100; none: from the picture
+  float compensation = 0;   // stops on top; positive is brighter
+  ToneMap toneMap = ToneMap::PbrNeutral;
+  float whiteBalance = 0.6f;  // how far the eye adapts to the light's colour: 0 not at all, 1 wholly
+  bool denoise = true;
+  bool fastDenoise = false;  // the smaller network: about twice as fast, for previews
+  int threads = 0;           // 0: as many as the machine has
+};
+
+// The picture, ready for a screen: sRGB, dithered so that smooth walls show no bands. The same film and
+// settings always give the same bytes. Who develops many pictures passes a denoiser to keep between them.
+Image8 develop(const Film& film, const DevelopSettings& settings = {}, Denoiser* denoiser = nullptr);
+
+// The same without tone curve and 8 bits: linear light in which 1 is the exposure's white.
+std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings = {},
+                               Denoiser* denoiser = nullptr);
+
+// 8-bit picture of linear colours that are already exposed.
+Image8 toImage(const std::vector<Rgb>& exposed, int width, int height, ToneMap toneMap);
+
+// The colour of the light in the room, luminance 1: radiance divided by reflectance, over the surfaces seen.
+// White where the film has nothing to tell it from.
+Rgb estimateIlluminant(const Film& film);
+
+// Moves colours under `illuminant` towards how they look under white light, by a share of 0..1, in the cone
+// space of Bradford; white light of luminance 1 keeps its luminance. @cite lam1985bradford
+struct WhiteBalance {
+  WhiteBalance(Rgb illuminant, float share);
+  Rgb operator()(Rgb c) const;
+
+ private:
+  Vec3f row_[3];
+};
+
+}  // namespace idap::render

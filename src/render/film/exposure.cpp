@@ -1,0 +1,76 @@
+#include "render/film/exposure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace idap::render {
+
+namespace {
+
+constexpr float kSaturation = 1.2f;
+constexpr float kDarkest = 1e-6f;  // cd/m2; below, a pixel is black
+
+// Luminances in eighths of a stop.
+struct Histogram {
+  static constexpr int kBinsPerStop = 8;
+  static constexpr float kFirstStop = -20;
+  static constexpr int kBins = 48 * kBinsPerStop;
+  std::array<double, kBins> weight{};
+  double total = 0;
+
+  void add(float log2Luminance, double w) {
+    const int bin = static_cast<int>((log2Luminance - kFirstStop) * kBinsPerStop);
+    weight[static_cast<std::size_t>(std::clamp(bin, 0, kBins - 1))] += w;
+    total += w;
+  }
+
+  // Mean log2 luminance of what lies between two shares of the total weight.
+  double meanBetween(double low, double high) const {
+    const double from = low * total, to = high * total;
+    double before = 0, sum = 0, mass = 0;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+      const double inside = std::min(before + weight[i], to) - std::max(before, from);
+      if (inside > 0) {
+        sum += inside * (kFirstStop + (static_cast<double>(i) + 0.5) / kBinsPerStop);
+        mass += inside;
+      }
+      before += weight[i];
+    }
+    return mass > 0 ? sum / mass : 0;
+  }
+};
+
+}  // namespace
+
+float exposureMultiplier(float ev100) { return 1.0f / (kSaturation * std::exp2(ev100)); }
+float ev100FromMultiplier(float multiplier) { return -std::log2(kSaturation * multiplier); }
+
+float autoExposure(const Film& film) {
+  // What is seen of the outdoors tells little about how the room should look, but a view without any surface
+  // must still be exposed.
+  constexpr double kSkyWeight = 0.02;
+  constexpr double kLow = 0.05, kHigh = 0.85;
+  Histogram histogram;
+  double albedoSum = 0, albedoWeight = 0;
+  for (std::size_t i = 0; i < film.pixels(); ++i) {
+    const float l = luminance(film.meanColor(i));
+    if (!(l > kDarkest) || !std::isfinite(l)) continue;
+    const bool sky = film.depth[i] == 0;
+    histogram.add(std::log2(l), sky ? kSkyWeight : 1.0);
+    if (sky) continue;
+    const float albedo = luminance(film.meanAlbedo(i));
+    if (!std::isfinite(albedo)) continue;
+    albedoSum += static_cast<double>(std::clamp(albedo, 0.0f, 1.0f));
+    albedoWeight += 1;
+  }
+  if (histogram.total <= 0) return 8;
+  // A meter that makes everything mid-grey turns a white room grey: the mid-tone follows the reflectance
+  // seen.
+  const double albedo = albedoWeight > 0 ? albedoSum / albedoWeight : 0.5;
+  const double midTone = albedo > 0 ? std::clamp(0.42 * albedo, 0.15, 0.32) : 0.22;
+  const double mean = std::exp2(histogram.meanBetween(kLow, kHigh));
+  return std::clamp(ev100FromMultiplier(static_cast<float>(midTone / mean)), kMinEv, kMaxEv);
+}
+
+}  // namespace idap::render
