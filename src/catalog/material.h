@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/bytes.h"
 #include "model/finish.h"
@@ -34,8 +36,13 @@ struct Material {
   std::optional<MaterialTexture> normalMap;
 };
 
-// The catalog's named materials ("oak", "walnut", "chrome", "glass", "white-lacquer", …). Null when unknown.
+// The catalog's named materials, in the order they are shown ("oak", "walnut", "chrome", "glass",
+// "white-lacquer", …). Null when unknown.
 const Material* findMaterial(const std::string& id);
 std::vector<std::string> materialIds();
+std::string materialName(const std::string& id, std::string_view language);  // falls back to English
+// "wood", "lacquer", "paint", "metal", "glass", "fabric", "floor", "stone", "ceramic", "plastic", "plant",
+// "light".
+std::string materialGroup(const std::string& id);
 
 }  // namespace idap

@@ -1,0 +1,16 @@
+# Run with -DOUTPUT=file.cpp -DFILES=a|b|c: writes the files' bytes as the table behind embedded_data.h.
+string(REPLACE "|" ";" FILES "${FILES}")
+set(arrays "")
+set(rows "")
+set(index 0)
+foreach(path IN LISTS FILES)
+  file(READ "${path}" hex HEX)
+  file(SIZE "${path}" size)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," hex "${hex}")
+  get_filename_component(name "${path}" NAME)
+  string(APPEND arrays "constexpr char kFile${index}[] = {${hex}'\\0'};\n")
+  string(APPEND rows "      {\"${name}\", {kFile${index}, ${size}}},\n")
+  math(EXPR index "${index} + 1")
+endforeach()
+file(WRITE "${OUTPUT}" "#include \"catalog/embedded_data.h\"\n\nnamespace idap {\n\nnamespace {\n\n${arrays}\n}  // namespace\n\n"
+  "const std::vector<EmbeddedFile>& embeddedCatalogFiles() {\n  static const std::vector<EmbeddedFile> files{\n${rows}  };\n  return files;\n}\n\n}  // namespace idap\n")
