@@ -22,6 +22,7 @@ class SrgbTable {
     for (std::size_t i = 0; i < value_.size(); ++i) {
       value_[i] = 255.0f * linearToSrgb(static_cast<float>(i) / static_cast<float>(kSteps));
     }
+    value_[kSteps] = value_[kSteps + 1] = 255;  // rounding must not keep white from being white
   }
   float operator()(float linear) const {
     const float at = linear * static_cast<float>(kSteps);

@@ -13,8 +13,8 @@ namespace idap::render {
 class Denoiser;
 
 struct DevelopSettings {
-  std::optional<float> ev;  // EV100; none: from the picture
-  float compensation = 0;   // stops on top; positive is brighter
+  std::optional<float> ev{};  // EV100; none: from the picture
+  float compensation = 0;     // stops on top; positive is brighter
   ToneMap toneMap = ToneMap::PbrNeutral;
   float whiteBalance = 0.6f;  // how far the eye adapts to the light's colour: 0 not at all, 1 wholly
   bool denoise = true;

@@ -53,16 +53,16 @@ std::string layerName(const std::vector<std::string>& names, std::size_t group) 
 
 Bytes encodePicture(const Image8& image, std::string_view extension, int quality) {
   const std::string kind = lowerExtension(extension);
-  constexpr std::array kKinds{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
+  constexpr std::array kKinds{"png", "jpg", "jpeg", "bmp"};
   if (std::ranges::find(kKinds, kind) == kKinds.end()) {
-    throw RenderError("pictures are written as .png, .jpg, .bmp or .tif, not as ." + kind);
+    throw RenderError("pictures are written as .png, .jpg or .bmp, not as ." + kind);
   }
   if (image.width < 1 || image.height < 1) throw RenderError("a picture without pixels cannot be written");
   OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("Compression", kind == "jpg" || kind == "jpeg"
                                     ? fmt::format("jpeg:{}", std::clamp(quality, 1, 100))
-                                    : std::string(kind.starts_with("tif") ? "zip" : ""));
+                                    : std::string());
   if (kind == "png") spec.attribute("png:compressionLevel", 6);
   return encode(kind, spec, OIIO::TypeDesc::UINT8, image.rgb.data());
 }

@@ -13,7 +13,7 @@
 
 namespace idap::render {
 
-// Kinds by file name extension: .png, .jpg/.jpeg, .bmp, .tif/.tiff; any other is refused by name.
+// Kinds by file name extension: .png, .jpg/.jpeg, .bmp; any other is refused by name.
 // quality: of a JPEG, 1..100.
 void savePicture(const std::filesystem::path& path, const Image8& image, int quality = 92);
 

@@ -54,9 +54,12 @@ Decoded decode(const Bytes& bytes, const char* kind) {
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
   OIIO::ImageSpec wish;
   wish.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open(std::string("picture.") + kind, &wish, &memory);
-  if (!input) fail("cannot be read: " + OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
+  const auto input = OIIO::ImageInput::create(kind, false, nullptr, &memory);
+  if (!input || !input->supports("ioproxy"))
+    fail(std::string("is of a kind that cannot be read here: ") + kind);
+  input->set_ioproxy(&memory);
+  OIIO::ImageSpec spec;
+  if (!input->open(std::string("picture.") + kind, spec, wish)) fail("cannot be read: " + input->geterror());
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail("has no pixels");
   if (spec.width > kMaxPictureSide || spec.height > kMaxPictureSide) {
     fail(fmt::format("is too large: {} x {} pixels (the limit is {} a side)", spec.width, spec.height,
