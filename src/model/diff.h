@@ -24,7 +24,10 @@ struct HomeDiff {
   Changes<DimensionId> dimensions;
   Changes<LabelId> labels;
   Changes<PolylineId> polylines;
-  bool site = false, environment = false, texts = false, assets = false, backgrounds = false;
+  bool site = false, environment = false;
+  bool texts = false;   // name, title, notes, currency, height of new walls, properties
+  bool assets = false;  // the set of files is another one, perhaps with equal files
+  bool backgrounds = false;
   bool empty() const;
 };
 

@@ -2,11 +2,12 @@
 // in.
 #pragma once
 
-#include <deque>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/home.h"
@@ -22,6 +23,7 @@ struct Edit {
 // Not thread-safe: belongs to one thread; hand snapshots (home()) to others.
 class Document {
  public:
+  // Throws InvalidHome: what comes from a file goes through validated() first.
   explicit Document(Home home = {}, std::filesystem::path file = {});
 
   const Home& home() const { return current_; }
@@ -32,7 +34,8 @@ class Document {
   void apply(const Edit& edit);
 
   // A drag: begin, any number of previews (each applied to the home as it was at begin), then commit or
-  // cancel.
+  // cancel. A preview that breaks the home throws InvalidHome and leaves the last good one standing. begin in
+  // a transaction, preview and commit outside one throw InvalidHome; cancel outside one does nothing.
   void begin(std::string name);
   void preview(const std::function<Home(const Home&)>& change);
   void commit();
@@ -58,15 +61,19 @@ class Document {
   struct Step {
     std::string name;
     Home home;  // undo: the home before the step; redo: the home after it
+    std::uint64_t revision;
   };
   struct Transaction {
     std::string name;
     Home before;
+    std::uint64_t revision;
   };
-  void swapTo(Home home);
+  void pushUndo(Step step);
+  void swapTo(Home home, std::uint64_t revision);
 
   Home current_;
-  std::uint64_t revision_ = 0, savedRevision_ = 0;
+  // Every home of the history has a number of its own, so that undoing back to what was saved is seen.
+  std::uint64_t revision_ = 0, savedRevision_ = 0, lastRevision_ = 0;
   std::filesystem::path file_;
   std::vector<Step> undo_, redo_;
   std::optional<Transaction> transaction_;

@@ -14,4 +14,7 @@ Home validated(Home home, ImportReport& report);
 // Throws InvalidHome with the first broken rule. What validated() returns always passes.
 void requireValid(const Home& home);
 
+// The same for a home made from a valid one, in time that grows with what changed.
+void requireValid(const Home& home, const Home& validBefore);
+
 }  // namespace idap
