@@ -17,6 +17,7 @@ const Generators& generators() {
   static const Generators all = [] {
     Generators g;
     addChairs(g);
+    addCabinets(g);
     return g;
   }();
   return all;

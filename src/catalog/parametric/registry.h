@@ -43,5 +43,6 @@ const Generators& generators();
 
 // One a category file: adds its generators.
 void addChairs(Generators& to);
+void addCabinets(Generators& to);
 
 }  // namespace idap::parametric

@@ -1,0 +1,82 @@
+#include "catalog/search_text.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace idap {
+namespace {
+
+// Letters U+00C0 to U+00FF without accent, in lower case; '?' keeps the letter.
+constexpr std::string_view kLatin1 = "aaaaaa?ceeeeiiii?nooooo?ouuuuy??aaaaaa?ceeeeiiii?nooooo?ouuuuy?y";
+
+int wordScore(const std::string& text, const std::string& word) {
+  const auto at = text.find(word);
+  if (at == std::string::npos) return 0;
+  const auto boundary = [&](std::size_t i) {
+    return i == 0 || i >= text.size() || text[i] == ' ' || text[i] == '-';
+  };
+  // A whole word, the beginning of one, or anywhere.
+  for (auto i = at; i != std::string::npos; i = text.find(word, i + 1))
+    if (i == 0 || boundary(i - 1)) return boundary(i + word.size()) ? 4 : 3;
+  return 2;
+}
+
+}  // namespace
+
+std::string foldedText(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<std::uint8_t>(text[i]);
+    if (c >= 'A' && c <= 'Z') {
+      out += static_cast<char>(c + 32);
+    } else if (c == 0xC3 && i + 1 < text.size()) {
+      const auto low = static_cast<std::uint8_t>(text[i + 1]);
+      const std::size_t letter = low & 0x3Fu;
+      if (kLatin1[letter] != '?') {
+        out += kLatin1[letter];
+      } else {
+        out += text[i];
+        // AE, ETH, slashed O and thorn have their small letters 32 on; the signs * and / stay.
+        out += static_cast<char>(letter < 32 && letter != 0x17 && letter != 0x1F ? low + 32 : low);
+      }
+      ++i;
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> searchWords(std::string_view query) {
+  std::vector<std::string> words;
+  const std::string text = foldedText(query);
+  for (std::size_t i = 0; i < text.size();) {
+    const auto start = text.find_first_not_of(" \t\n,", i);
+    if (start == std::string::npos) break;
+    const auto end = std::min(text.find_first_of(" \t\n,", start), text.size());
+    words.push_back(text.substr(start, end - start));
+    i = end;
+  }
+  return words;
+}
+
+int searchScore(const CatalogPiece& piece, const std::vector<std::string>& words) {
+  std::vector<std::pair<int, std::string>> fields{{10, foldedText(piece.name)},
+                                                  {4, foldedText(piece.category)},
+                                                  {2, foldedText(piece.creator)},
+                                                  {2, foldedText(piece.id)}};
+  for (const std::string& tag : piece.tags) fields.emplace_back(6, foldedText(tag));
+  for (const auto& [language, texts] : piece.translations)
+    for (const auto& [key, text] : texts) fields.emplace_back(key == "name" ? 9 : 4, foldedText(text));
+  int total = 0;
+  for (const std::string& word : words) {
+    int best = 0;
+    for (const auto& [weight, text] : fields) best = std::max(best, weight * wordScore(text, word));
+    if (best == 0) return 0;
+    total += best;
+  }
+  return total;
+}
+
+}  // namespace idap

@@ -1,0 +1,23 @@
+// Finding catalog pieces by words.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalog/catalog.h"
+
+namespace idap {
+
+// UTF-8 text in lower case, Latin letters without their accents, so that "FAUTEUIL crème" is found as
+// "creme". Other scripts stay as they are.
+std::string foldedText(std::string_view text);
+
+// The words of a query, folded.
+std::vector<std::string> searchWords(std::string_view query);
+
+// 0 unless every word is found somewhere; more where the name holds it than where a tag or a translation
+// does.
+int searchScore(const CatalogPiece& piece, const std::vector<std::string>& words);
+
+}  // namespace idap
