@@ -1,0 +1,424 @@
+#include "render/accel/compiled_scene.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+
+#include "base/error.h"
+#include "render/accel/mesh_accel.h"
+#include "render/emitter/lights.h"
+#include "render/material/albedo_table.h"
+
+namespace idap::render {
+
+namespace {
+
+// A hit's position is off by some ulps of the coordinates it was computed from; new rays start this many
+// ulps (2^-23) away. 48 ulps at 10 m are 0.06 mm.
+constexpr float kOffsetUlps = 48.0f * 1.1920929e-7f;
+
+// All that a hit needs of its instance, in one place.
+struct InstanceData {
+  const Vec3f* positions = nullptr;
+  const Vec3f* normals = nullptr;
+  const Vec2f* uvs = nullptr;
+  const std::array<std::uint32_t, 3>* triangles = nullptr;
+  const std::uint32_t* slots = nullptr;
+  const std::uint32_t* surfaces = nullptr;
+  const std::uint32_t* triangleMap[2] = {};
+  Transformf toWorld;
+  Transformf normalToWorld;  // cofactor matrix, signed so that fronts stay fronts in a mirror
+  float translation = 0.0f;  // the largest coordinate of the transform's origin
+  std::uint32_t objectId = 0;
+  std::uint16_t lightGroup = 0;
+
+  std::uint32_t triangleOf(unsigned geometry, unsigned primitive) const {
+    const std::uint32_t* map = triangleMap[geometry & 1u];
+    return map ? map[primitive] : primitive;
+  }
+  std::uint32_t surfaceOf(std::uint32_t triangle) const { return surfaces[slots ? slots[triangle] : 0]; }
+};
+
+bool usable(const Transformf& t) {
+  const float d = t.determinant();
+  return std::isfinite(d) && d != 0.0f && std::isfinite(dot(t.origin, t.origin));
+}
+
+Vec2f interpolate(Vec2f a, Vec2f b, Vec2f c, float u, float v) { return a * (1 - u - v) + b * u + c * v; }
+Vec3f interpolate(Vec3f a, Vec3f b, Vec3f c, float u, float v) { return a * (1 - u - v) + b * u + c * v; }
+
+bool keepTrackOfMemory(void* counter, ssize_t bytes, bool) {
+  static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+// Tilts a shading normal just so far that the mirror image of wo about it stays above the surface.
+Vec3f bend(Vec3f ns, Vec3f ng, Vec3f wo) {
+  const Vec3f mirrored = ns * (2 * dot(ns, wo)) - wo;
+  const float threshold = 0.02f * std::min(1.0f, 2 * dot(ng, wo));
+  const float height = dot(mirrored, ng);
+  if (height >= threshold) return ns;
+  const Vec3f lifted = normalized(mirrored + ng * (threshold - height));
+  const Vec3f half = lifted + wo;
+  const float l2 = dot(half, half);
+  return l2 > 1e-8f ? half * (1 / std::sqrt(l2)) : ng;
+}
+
+}  // namespace
+
+struct CompiledScene::Accel {
+  std::atomic<std::int64_t> bytes{0};  // before the device, which counts in it to its end
+  DeviceHandle device;
+  std::vector<SurfaceData> surfaces;
+  std::vector<InstanceData> instances;
+  std::vector<GeometryHandle> geometries;  // one an instance; null where there is nothing to hit
+  std::vector<std::unique_ptr<MeshAccel>> meshes;
+  std::vector<std::uint32_t> meshOfInstance;
+  std::vector<std::uint32_t> sphereLamps;  // Embree's sphere -> lamp
+  unsigned lampGeometry = kNone;
+  SceneHandle top;
+  bool lightsMoved = false;
+
+  void place(std::uint32_t instance, const Transformf& transform);
+};
+
+namespace {
+
+// What shadow rays carry through Embree to the filter.
+struct ShadowContext {
+  RTCIntersectContext embree;
+  const InstanceData* instances;
+  const SurfaceData* surfaces;
+  Vec3f direction;
+  Rgb transmittance{1, 1, 1};
+  float lastT = -1.0f;  // the sheet counted last
+  std::uint32_t lastInstance = kNone;
+};
+
+void shadowFilter(const RTCFilterFunctionNArguments* args) {
+  if (args->N != 1 || args->valid[0] == 0) return;
+  auto& context = *reinterpret_cast<ShadowContext*>(args->context);
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+  const InstanceData& instance = context.instances[hit.instID[0]];
+  // A ray through the edge between two triangles, or through faces modelled twice, passes one sheet, not two.
+  const float t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
+  if (context.lastInstance == hit.instID[0] && std::fabs(t - context.lastT) <= 2e-6f * t) {
+    args->valid[0] = 0;
+    return;
+  }
+  context.lastT = t;
+  context.lastInstance = hit.instID[0];
+  const std::uint32_t triangle = instance.triangleOf(hit.geomID, hit.primID);
+  const SurfaceData& surface = context.surfaces[instance.surfaceOf(triangle)];
+
+  Vec2f uv{};
+  if (surface.hasMaps && instance.uvs) {
+    const auto& c = instance.triangles[triangle];
+    uv = interpolate(instance.uvs[c[0]], instance.uvs[c[1]], instance.uvs[c[2]], hit.u, hit.v);
+  }
+  const Vec3f normal = instance.normalToWorld.vector({hit.Ng_x, hit.Ng_y, hit.Ng_z});
+  const float l2 = dot(normal, normal);
+  const float cosine = l2 > 0 ? std::fabs(dot(normal, context.direction)) / std::sqrt(l2) : 1.0f;
+  context.transmittance *= straightTransmittance(surface, valuesAt(surface, uv), std::min(cosine, 1.0f));
+  if (maxComponent(context.transmittance) > 1e-5f) args->valid[0] = 0;
+}
+
+}  // namespace
+
+void CompiledScene::Accel::place(std::uint32_t i, const Transformf& t) {
+  InstanceData& data = instances[i];
+  data.toWorld = t;
+  data.normalToWorld = t.cofactor();
+  if (t.determinant() < 0) {
+    auto& n = data.normalToWorld;
+    n.x = -n.x, n.y = -n.y, n.z = -n.z;
+  }
+  data.translation = std::max({std::fabs(t.origin.x), std::fabs(t.origin.y), std::fabs(t.origin.z)});
+  if (!geometries[i]) return;
+  RTCGeometry geometry = geometries[i].get();
+  if (usable(t)) {
+    const float columns[12] = {t.x.x, t.x.y, t.x.z, t.y.x,      t.y.y,      t.y.z,
+                               t.z.x, t.z.y, t.z.z, t.origin.x, t.origin.y, t.origin.z};
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+    rtcEnableGeometry(geometry);
+  } else {
+    rtcDisableGeometry(geometry);
+  }
+  rtcCommitGeometry(geometry);
+}
+
+CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
+    : scene_(std::move(scene)), accel_(std::make_unique<Accel>()) {
+  const auto start = std::chrono::steady_clock::now();
+  Accel& a = *accel_;
+  AlbedoTable::get();
+  a.device.reset(rtcNewDevice("start_threads=0,set_affinity=0"));
+  if (!a.device) throw RenderError("the ray tracing library Embree could not be started");
+  rtcSetDeviceMemoryMonitorFunction(a.device.get(), keepTrackOfMemory, &a.bytes);
+
+  a.surfaces.reserve(scene_->surfaces.size());
+  for (const Surface& s : scene_->surfaces) a.surfaces.push_back(compileSurface(s));
+
+  // One BVH for every mesh and every pattern of slots that light can get through.
+  std::vector<std::uint32_t> slotCount(scene_->meshes.size(), 0);
+  for (std::size_t m = 0; m < scene_->meshes.size(); ++m) {
+    const Mesh& mesh = *scene_->meshes[m];
+    for (const auto& t : mesh.triangles)
+      for (const std::uint32_t c : t)
+        if (c >= mesh.positions.size()) throw RenderError(fmt::format("mesh {}: no vertex {}", m, c));
+    if ((!mesh.slots.empty() && mesh.slots.size() != mesh.triangles.size()) ||
+        (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) ||
+        (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size()))
+      throw RenderError(fmt::format("mesh {}: slots, normals or uvs of the wrong number", m));
+    slotCount[m] = mesh.slots.empty() ? 1 : *std::ranges::max_element(mesh.slots) + 1;
+  }
+  std::map<std::pair<std::uint32_t, std::vector<bool>>, std::uint32_t> known;
+  std::vector<bool> meshUsed(scene_->meshes.size(), false);
+  for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
+    const Instance& instance = scene_->instances[i];
+    if (instance.mesh >= scene_->meshes.size())
+      throw RenderError(fmt::format("instance {}: no mesh {}", i, instance.mesh));
+    const auto& mesh = scene_->meshes[instance.mesh];
+    if (mesh->empty()) {
+      a.meshOfInstance.push_back(kNone);
+      continue;
+    }
+    if (instance.surfaces.size() < slotCount[instance.mesh])
+      throw RenderError(fmt::format("instance {}: {} surfaces for {} material slots", i,
+                                    instance.surfaces.size(), slotCount[instance.mesh]));
+    std::vector<bool> sieve(slotCount[instance.mesh]);
+    for (std::size_t s = 0; s < instance.surfaces.size(); ++s) {
+      if (instance.surfaces[s] >= a.surfaces.size())
+        throw RenderError(fmt::format("instance {}: no surface {}", i, instance.surfaces[s]));
+      if (s < sieve.size()) sieve[s] = !a.surfaces[instance.surfaces[s]].opaqueToShadows;
+    }
+    const auto [it, isNew] =
+        known.try_emplace({instance.mesh, sieve}, static_cast<std::uint32_t>(a.meshes.size()));
+    if (isNew) a.meshes.push_back(std::make_unique<MeshAccel>(mesh, sieve));
+    a.meshOfInstance.push_back(it->second);
+    stats_.instancedTriangles += mesh->triangles.size();
+    if (!meshUsed[instance.mesh]) stats_.uniqueTriangles += mesh->triangles.size();
+    meshUsed[instance.mesh] = true;
+  }
+
+  const auto buildAll = [&] {
+    tbb::parallel_for(std::size_t{0}, a.meshes.size(), [&](std::size_t m) {
+      tbb::this_task_arena::isolate([&] { a.meshes[m]->build(a.device.get(), shadowFilter); });
+    });
+
+    a.top.reset(rtcNewScene(a.device.get()));
+    rtcSetSceneFlags(a.top.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
+    Box3f world;
+    for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
+      const Instance& instance = scene_->instances[i];
+      InstanceData& data = a.instances.emplace_back();
+      GeometryHandle& geometry = a.geometries.emplace_back();
+      const std::uint32_t m = a.meshOfInstance[i];
+      if (m != kNone) {
+        const MeshAccel& accel = *a.meshes[m];
+        const Mesh& mesh = accel.mesh();
+        data.positions = mesh.positions.data();
+        data.normals = mesh.normals.empty() ? nullptr : mesh.normals.data();
+        data.uvs = mesh.uvs.empty() ? nullptr : mesh.uvs.data();
+        data.triangles = mesh.triangles.data();
+        data.slots = mesh.slots.empty() ? nullptr : mesh.slots.data();
+        data.surfaces = instance.surfaces.data();
+        data.triangleMap[0] = accel.triangleMap(0);
+        data.triangleMap[1] = accel.triangleMap(1);
+        data.objectId = instance.objectId;
+        data.lightGroup = instance.lightGroup;
+        geometry.reset(rtcNewGeometry(a.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcSetGeometryInstancedScene(geometry.get(), accel.scene());
+        rtcSetGeometryTimeStepCount(geometry.get(), 1);
+        rtcSetGeometryMask(geometry.get(), kSeenByLight | (instance.visibleToCamera ? kSeenByCamera : 0u));
+        if (usable(instance.transform)) {
+          const Box3f& b = accel.bounds();
+          for (int corner = 0; corner < 8 && !b.empty(); ++corner)
+            world.add(
+                instance.transform.point({corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y,
+                                          corner & 4 ? b.max.z : b.min.z}));
+        }
+      }
+      a.place(i, instance.transform);
+      if (geometry) rtcAttachGeometryByID(a.top.get(), geometry.get(), i);
+    }
+
+    for (std::uint32_t l = 0; l < scene_->lamps.size(); ++l)
+      if (scene_->lamps[l].radius > 0) a.sphereLamps.push_back(l);
+    if (!a.sphereLamps.empty()) {
+      GeometryHandle spheres(rtcNewGeometry(a.device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
+      auto* buffer = static_cast<float*>(rtcSetNewGeometryBuffer(
+          spheres.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, a.sphereLamps.size()));
+      for (const std::uint32_t l : a.sphereLamps) {
+        const Lamp& lamp = scene_->lamps[l];
+        *buffer++ = lamp.position.x, *buffer++ = lamp.position.y, *buffer++ = lamp.position.z;
+        *buffer++ = lamp.radius;
+      }
+      rtcSetGeometryMask(spheres.get(), kLampSpheres);
+      rtcCommitGeometry(spheres.get());
+      a.lampGeometry = static_cast<unsigned>(scene_->instances.size());
+      rtcAttachGeometryByID(a.top.get(), spheres.get(), a.lampGeometry);
+    }
+    rtcJoinCommitScene(a.top.get());
+
+    for (const Lamp& lamp : scene_->lamps)
+      if (std::isfinite(dot(lamp.position, lamp.position))) world.add(lamp.position);
+    if (!world.empty()) {
+      centre_ = world.centre();
+      radius_ = std::max(0.5f * length(world.size()), 1e-3f);
+    }
+  };
+  a.instances.reserve(scene_->instances.size());
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute(buildAll);
+
+  lights_ = std::make_unique<Lights>(*this);
+  stats_.embreeBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(0, a.bytes.load()));
+  stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+CompiledScene::~CompiledScene() = default;
+
+const SurfaceData& CompiledScene::surface(std::uint32_t index) const { return accel_->surfaces[index]; }
+std::size_t CompiledScene::surfaceCount() const { return accel_->surfaces.size(); }
+Transformf CompiledScene::transform(std::uint32_t i) const { return accel_->instances[i].toWorld; }
+std::uint32_t CompiledScene::surfaceOfSlot(std::uint32_t i, std::uint32_t slot) const {
+  return accel_->instances[i].surfaces[slot];
+}
+
+void CompiledScene::setTransform(std::uint32_t instance, const Transformf& transform) {
+  if (instance >= accel_->instances.size()) throw RenderError(fmt::format("no instance {}", instance));
+  accel_->place(instance, transform);
+  const auto& surfaces = scene_->instances[instance].surfaces;
+  if (std::ranges::any_of(surfaces, [&](std::uint32_t s) { return accel_->surfaces[s].emits; }))
+    accel_->lightsMoved = true;
+}
+
+void CompiledScene::commit() {
+  rtcJoinCommitScene(accel_->top.get());
+  if (accel_->lightsMoved) lights_ = std::make_unique<Lights>(*this);
+  accel_->lightsMoved = false;
+}
+
+bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool coherent) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  RTCRayHit r;
+  r.ray = {ray.origin.x,
+           ray.origin.y,
+           ray.origin.z,
+           ray.tMin,
+           ray.direction.x,
+           ray.direction.y,
+           ray.direction.z,
+           0.0f,
+           ray.tMax,
+           mask,
+           0u,
+           0u};
+  r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(accel_->top.get(), &context, &r);
+  if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit.t = r.ray.tfar;
+  hit.u = r.hit.u;
+  hit.v = r.hit.v;
+  hit.objectNormal = {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z};
+  hit.instance = r.hit.instID[0];
+  if (hit.instance == RTC_INVALID_GEOMETRY_ID) {
+    hit.lamp = accel_->sphereLamps[r.hit.primID];
+  } else {
+    hit.lamp = kNone;
+    hit.triangle = accel_->instances[hit.instance].triangleOf(r.hit.geomID, r.hit.primID);
+  }
+  return true;
+}
+
+Rgb CompiledScene::transmittance(const Ray& ray) const {
+  ShadowContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.instances = accel_->instances.data();
+  context.surfaces = accel_->surfaces.data();
+  context.direction = ray.direction;
+  RTCRay r{ray.origin.x,
+           ray.origin.y,
+           ray.origin.z,
+           ray.tMin,
+           ray.direction.x,
+           ray.direction.y,
+           ray.direction.z,
+           0.0f,
+           ray.tMax,
+           kSeenByLight,
+           0u,
+           0u};
+  rtcOccluded1(accel_->top.get(), &context.embree, &r);
+  return r.tfar < 0 ? Rgb{} : context.transmittance;
+}
+
+bool CompiledScene::occluded(const Ray& ray) const { return maxComponent(transmittance(ray)) <= 0; }
+
+Interaction CompiledScene::interaction(const Ray& ray, const Hit& hit) const {
+  const InstanceData& data = accel_->instances[hit.instance];
+  const auto& c = data.triangles[hit.triangle];
+  const Vec3f a = data.positions[c[0]], b = data.positions[c[1]], d = data.positions[c[2]];
+
+  Interaction s;
+  s.surfaceIndex = data.surfaceOf(hit.triangle);
+  s.surface = &accel_->surfaces[s.surfaceIndex];
+  s.objectId = data.objectId;
+  s.lightGroup = data.lightGroup;
+  s.position = data.toWorld.point(interpolate(a, b, d, hit.u, hit.v));
+  const float size = std::max({std::fabs(s.position.x), std::fabs(s.position.y), std::fabs(s.position.z)});
+  s.offset = kOffsetUlps * std::max(size + data.translation, 0.1f);
+
+  Vec3f ng = data.normalToWorld.vector(hit.objectNormal);
+  const float l2 = dot(ng, ng);
+  ng = l2 > 0 && std::isfinite(l2) ? ng * (1 / std::sqrt(l2)) : -ray.direction;
+  s.frontFace = dot(ng, ray.direction) <= 0;
+  s.ng = s.frontFace ? ng : -ng;
+  s.ns = s.ng;
+
+  if (s.surface->hasMaps && data.uvs)
+    s.uv = interpolate(data.uvs[c[0]], data.uvs[c[1]], data.uvs[c[2]], hit.u, hit.v);
+  if (data.normals) {
+    const Vec3f n = data.normalToWorld.vector(
+        interpolate(data.normals[c[0]], data.normals[c[1]], data.normals[c[2]], hit.u, hit.v));
+    const float n2 = dot(n, n);
+    if (n2 > 0 && std::isfinite(n2)) {
+      s.ns = n * ((s.frontFace ? 1.0f : -1.0f) / std::sqrt(n2));
+      s.smooth = true;
+    }
+  }
+  if (s.surface->normalMap && data.uvs) {
+    const Vec2f u1 = s.surface->mapUv(data.uvs[c[1]]) - s.surface->mapUv(data.uvs[c[0]]);
+    const Vec2f u2 = s.surface->mapUv(data.uvs[c[2]]) - s.surface->mapUv(data.uvs[c[0]]);
+    const float det = cross(u1, u2);
+    const Vec3f e1 = data.toWorld.vector(b - a), e2 = data.toWorld.vector(d - a);
+    Vec3f tangent = (e1 * u2.y - e2 * u1.y) * (det < 0 ? -1.0f : 1.0f);
+    tangent = tangent - s.ns * dot(s.ns, tangent);
+    const float t2 = dot(tangent, tangent);
+    if (std::fabs(det) > 1e-20f && t2 > 0 && std::isfinite(t2)) {
+      tangent = tangent * (1 / std::sqrt(t2));
+      Vec3f bitangent = cross(s.ns, tangent);
+      const Vec3f up = (e2 * u1.x - e1 * u2.x) * (det < 0 ? -1.0f : 1.0f);
+      if (dot(bitangent, up) < 0) bitangent = -bitangent;
+      const Rgb m = lookUp(*s.surface->normalMap, s.surface->mapUv(s.uv)).color;
+      const Vec3f n =
+          tangent * (2 * m.x - 1) + bitangent * (2 * m.y - 1) + s.ns * std::max(2 * m.z - 1, 0.05f);
+      s.ns = normalized(n);
+      s.smooth = true;
+    }
+  }
+  if (s.smooth) s.ns = bend(s.ns, s.ng, -ray.direction);
+  return s;
+}
+
+}  // namespace idap::render

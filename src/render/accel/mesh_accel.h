@@ -1,0 +1,48 @@
+// The lower level of the acceleration structure: a mesh's BVH, its triangles parted into those that stop
+// every ray (geometry 0) and those that light may get through (geometry 1, which has a filter for shadow
+// rays).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "render/accel/embree_handles.h"
+
+namespace idap::render {
+
+inline constexpr unsigned kOpaqueGeometry = 0;
+inline constexpr unsigned kSieveGeometry = 1;
+
+class MeshAccel {
+ public:
+  // sieve[slot]: light may get through triangles of that slot.
+  MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve);
+
+  // Builds the BVH; may run inside a TBB task.
+  void build(RTCDevice device, RTCFilterFunctionN shadowFilter);
+
+  RTCScene scene() const { return scene_.get(); }
+  const Mesh& mesh() const { return *mesh_; }
+  const Box3f& bounds() const { return bounds_; }
+  // Embree's primitive number -> the mesh's triangle; null where they are equal.
+  const std::uint32_t* triangleMap(unsigned geometry) const {
+    return geometry < 2 && !maps_[geometry].empty() ? maps_[geometry].data() : nullptr;
+  }
+
+ private:
+  using Corners = std::array<std::uint32_t, 3>;
+  void attach(RTCDevice device, unsigned id, const Corners* triangles, std::size_t count,
+              RTCFilterFunctionN filter);
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::vector<bool> sieve_;
+  Box3f bounds_;
+  SceneHandle scene_;
+  std::vector<Vec3f> paddedPositions_;
+  std::vector<Corners> parts_[2];
+  std::vector<std::uint32_t> maps_[2];
+};
+
+}  // namespace idap::render

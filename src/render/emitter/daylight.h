@@ -1,0 +1,53 @@
+// Sun and sky as lights. Sky directions are sampled where its picture is bright and, indoors, through the
+// portals the maker of the scene marked.
+#pragma once
+
+#include <vector>
+
+#include "render/emitter/light_sample.h"
+#include "render/sampling/distribution.h"
+#include "render/scene.h"
+
+namespace idap::render {
+
+class CompiledScene;
+
+class Daylight {
+ public:
+  explicit Daylight(const CompiledScene& scene);
+
+  bool empty() const { return !hasSun_ && !hasSky_; }
+  // One direction, of the sun or of the sky. False where neither can reach the receiver.
+  bool sample(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
+
+  Rgb skyRadiance(Vec3f direction) const;
+  Rgb sunRadiance(Vec3f direction) const;  // 0 off the sun's disc
+  // Densities, per steradian, with which sample() chooses the sun or the sky and then this direction.
+  float pdfSky(const Receiver& at, Vec3f direction) const;
+  float pdfSun(const Receiver& at) const;
+  bool hasSun() const { return hasSun_; }
+  bool hasSky() const { return hasSky_; }
+
+ private:
+  struct Opening {
+    Vec3f corner, edgeU, edgeV, centre, normal;  // normal points outdoors
+    float inverseU2 = 0.0f, inverseV2 = 0.0f, area = 0.0f;
+    bool bothSides = false;
+  };
+  float sunProbability(const Receiver& at) const;
+  static float importance(const Opening& opening, const Receiver& at);
+  static bool crosses(const Opening& opening, Vec3f from, Vec3f direction);
+  bool sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
+  float pdfMap(Vec3f direction) const;
+  float mixturePdf(const Receiver& at, Vec3f direction) const;
+
+  Sun sun_;
+  Rgb sunRadiance_{};
+  float sunCone_ = 0.0f;  // 1 - cos of its radius
+  bool hasSun_ = false, hasSky_ = false;
+  const Sky& sky_;
+  Distribution2D map_;
+  std::vector<Opening> openings_;
+};
+
+}  // namespace idap::render

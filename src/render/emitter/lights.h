@@ -1,0 +1,21 @@
+// All that shines in a compiled scene.
+#pragma once
+
+#include "render/emitter/daylight.h"
+#include "render/emitter/local_lights.h"
+
+namespace idap::render {
+
+class Lights {
+ public:
+  explicit Lights(const CompiledScene& scene) : local_(scene), daylight_(scene) {}
+
+  const LocalLights& local() const { return local_; }
+  const Daylight& daylight() const { return daylight_; }
+
+ private:
+  LocalLights local_;
+  Daylight daylight_;
+};
+
+}  // namespace idap::render

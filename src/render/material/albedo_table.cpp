@@ -1,0 +1,81 @@
+#include "render/material/albedo_table.h"
+
+#include <algorithm>
+
+#include "render/material/fresnel.h"
+#include "render/material/ggx.h"
+#include "render/sampling/warp.h"
+
+namespace idap::render {
+
+namespace {
+
+AlbedoTerms mix(AlbedoTerms a, AlbedoTerms b, float t) {
+  return {a.base + (b.base - a.base) * t, a.edge + (b.edge - a.edge) * t};
+}
+
+// The mean over visible facets of G2/G1 times each Schlick term.
+AlbedoTerms integrate(float cosine, float roughness) {
+  const Ggx ggx{roughness * roughness};
+  const Vec3f wo{std::sqrt(1 - cosine * cosine), 0, cosine};
+  constexpr int kSamples = 1024;
+  double base = 0, edge = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec3f h = ggx.sampleVisible(wo, hammersley(i, kSamples));
+    const float c = dot(wo, h);
+    const Vec3f wi = h * (2 * c) - wo;
+    if (wi.z <= 0) continue;
+    const float g = ggx.g2(wo, wi) / ggx.g1(wo);
+    const float s = schlickWeight(c);
+    base += static_cast<double>(g * (1 - s));
+    edge += static_cast<double>(g * s);
+  }
+  return {static_cast<float>(base / kSamples), static_cast<float>(edge / kSamples)};
+}
+
+}  // namespace
+
+const AlbedoTable& AlbedoTable::get() {
+  static const AlbedoTable table;
+  return table;
+}
+
+AlbedoTable::AlbedoTable() {
+  for (int r = 0; r < kSize; ++r) {
+    const float roughness = static_cast<float>(r) / (kSize - 1);
+    for (int c = 0; c < kSize; ++c) {
+      const float cosine = std::max(static_cast<float>(c) / (kSize - 1), 1e-3f);
+      const float s = schlickWeight(cosine);
+      directional_[r][c] = r == 0 ? AlbedoTerms{1 - s, s} : integrate(cosine, roughness);
+    }
+    // The mean of what directional() gives between its nodes, so that the two fit together exactly.
+    constexpr int kSteps = 8 * (kSize - 1);
+    double base = 0, edge = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const float cosine = (static_cast<float>(i) + 0.5f) / kSteps;
+      const int k = i / 8;
+      const AlbedoTerms t =
+          mix(directional_[r][k], directional_[r][k + 1], cosine * (kSize - 1) - static_cast<float>(k));
+      base += static_cast<double>(2 * cosine * t.base) / kSteps;
+      edge += static_cast<double>(2 * cosine * t.edge) / kSteps;
+    }
+    average_[r] = {static_cast<float>(base), static_cast<float>(edge)};
+  }
+}
+
+AlbedoTerms AlbedoTable::directional(float cosine, float roughness) const {
+  const float x = std::clamp(cosine, 0.0f, 1.0f) * (kSize - 1);
+  const float y = std::clamp(roughness, 0.0f, 1.0f) * (kSize - 1);
+  const int i = std::min(static_cast<int>(x), kSize - 2), j = std::min(static_cast<int>(y), kSize - 2);
+  const float s = x - static_cast<float>(i), t = y - static_cast<float>(j);
+  return mix(mix(directional_[j][i], directional_[j][i + 1], s),
+             mix(directional_[j + 1][i], directional_[j + 1][i + 1], s), t);
+}
+
+AlbedoTerms AlbedoTable::average(float roughness) const {
+  const float y = std::clamp(roughness, 0.0f, 1.0f) * (kSize - 1);
+  const int j = std::min(static_cast<int>(y), kSize - 2);
+  return mix(average_[j], average_[j + 1], y - static_cast<float>(j));
+}
+
+}  // namespace idap::render

@@ -1,0 +1,30 @@
+// How much light one bounce off a GGX mirror layer returns, so that what is lost between its facets, and what
+// passes to the base below, can be accounted for. With Schlick's Fresnel term the albedo is linear:
+// albedo(F0, F90) = F0 * base + F90 * edge. Sources: Kulla and Conty 2017, "Revisiting physically based
+// shading at Imageworks"; Karis 2013, "Real shading in Unreal Engine 4" (the split into two terms).
+#pragma once
+
+#include <vector>
+
+namespace idap::render {
+
+struct AlbedoTerms {
+  float base = 0.0f, edge = 0.0f;
+};
+
+class AlbedoTable {
+ public:
+  // Made on first use (some milliseconds), shared by all.
+  static const AlbedoTable& get();
+
+  AlbedoTerms directional(float cosine, float roughness) const;  // for light from one direction
+  AlbedoTerms average(float roughness) const;                    // cosine-weighted mean over the hemisphere
+
+ private:
+  AlbedoTable();
+  static constexpr int kSize = 32;
+  AlbedoTerms directional_[kSize][kSize];  // [roughness][cosine], both in even steps over 0..1
+  AlbedoTerms average_[kSize];
+};
+
+}  // namespace idap::render

@@ -1,0 +1,196 @@
+#include "render/session/render_job.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <mutex>
+#include <numeric>
+
+#include "render/integrator/camera_ray.h"
+#include "render/integrator/path.h"
+#if __has_include("render/integrator/classic.h")
+#include "render/integrator/classic.h"
+#define IDAP_HAS_CLASSIC 1
+#endif
+
+namespace idap::render {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kTile = 16;
+constexpr int kUnlimitedLog2Samples = 10;
+
+class Job {
+ public:
+  Job(const CompiledScene& scene, const Camera& camera, const RenderSettings& settings, Film& film,
+      const Progress& progress)
+      : scene_(scene),
+        settings_(settings),
+        film_(film),
+        progress_(progress),
+        rays_(camera, film.width, film.height),
+        tracer_(scene, {.clampIndirect = settings.clampIndirect}),
+        tilesX_((film.width + kTile - 1) / kTile),
+        tilesY_((film.height + kTile - 1) / kTile),
+        log2Samples_(
+            settings.spp > 0
+                ? std::min(16, static_cast<int>(std::bit_width(static_cast<unsigned>(settings.spp - 1))))
+                : kUnlimitedLog2Samples),
+        order_(static_cast<std::size_t>(tilesX_ * tilesY_)) {
+    // Tiles in an order that leaps across the picture, so that a wave cut short is thin everywhere.
+    std::iota(order_.begin(), order_.end(), 0);
+    const auto key = [](int tile) { return static_cast<std::uint32_t>(tile) * 0x9e3779b9u; };
+    std::ranges::sort(order_, {}, key);
+  }
+
+  RenderStats run() {
+    start_ = Clock::now();
+    const auto began = static_cast<int>(*std::ranges::min_element(film_.weight));
+    int done = began;
+    for (int wave = std::max(began, 1); !stopped() && (settings_.spp == 0 || done < settings_.spp);) {
+      int next = done + std::min(wave, kLongestWave);
+      if (settings_.spp > 0) next = std::min(next, settings_.spp);
+      if (settings_.timeLimitSeconds > 0 && done > began) {
+        // Not more than the time left should allow, so that the last wave ends on time.
+        const double each = seconds() / (done - began);
+        const int possible = static_cast<int>((settings_.timeLimitSeconds - seconds()) / each);
+        next = std::min(next, done + std::max(possible, 1));
+      }
+      runWave(done, next);
+      if (!stopped()) wave = next;
+      done = next;
+    }
+    film_.samples = static_cast<int>(*std::ranges::min_element(film_.weight));
+    return {seconds(), paths_.load(), traced_.load(), film_.samples};
+  }
+
+ private:
+  static constexpr int kLongestWave = 64;
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  bool stopped() const {
+    return progress_.cancelled() ||
+           (settings_.timeLimitSeconds > 0 && seconds() >= settings_.timeLimitSeconds);
+  }
+
+  void runWave(int from, int to) {
+    std::atomic<std::size_t> finished{0};
+    tbb::parallel_for(
+        std::size_t{0}, order_.size(),
+        [&](std::size_t i) {
+          if (stopped()) return;
+          renderTile(order_[i], to);
+          const std::size_t count = ++finished;
+          report(from + (to - from) * static_cast<double>(count) / static_cast<double>(order_.size()));
+        },
+        tbb::simple_partitioner());
+  }
+
+  void report(double samples) {
+    const double now = seconds();
+    const std::unique_lock lock(reportMutex_, std::try_to_lock);
+    if (!lock || now - lastReport_ < 0.05) return;
+    lastReport_ = now;
+    double fraction = settings_.spp > 0 ? samples / settings_.spp : 0.0;
+    if (settings_.timeLimitSeconds > 0) fraction = std::max(fraction, now / settings_.timeLimitSeconds);
+    progress_.report(std::min(fraction, 1.0), "rendering");
+  }
+
+  void renderTile(int tile, int to) {
+    const int x0 = tile % tilesX_ * kTile, y0 = tile / tilesX_ * kTile;
+    const int x1 = std::min(x0 + kTile, film_.width), y1 = std::min(y0 + kTile, film_.height);
+    std::uint64_t paths = 0, traced = 0;
+    std::vector<Rgb> groups(settings_.perLightGroupLayers ? film_.groups.size() : 0);
+    for (int y = y0; y < y1; ++y) {
+      if (stopped()) break;
+      for (int x = x0; x < x1; ++x) {
+        const std::size_t pixel = film_.index(x, y);
+        for (auto s = static_cast<std::uint32_t>(film_.weight[pixel]); s < static_cast<std::uint32_t>(to);
+             ++s) {
+          Sampler sampler(x, y, s, log2Samples_, settings_.seed);
+          const Vec2f offset = filterOffset(sampler.get2D());
+          const auto ray =
+              rays_.at({static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y});
+          film_.weight[pixel] += 1;
+          if (!ray) continue;
+          ++paths;
+          traced += sample(*ray, sampler, pixel, s == 0, groups);
+        }
+      }
+    }
+    paths_ += paths;
+    traced_ += traced;
+  }
+
+  std::uint64_t sample(const Ray& ray, Sampler& sampler, std::size_t pixel, bool first,
+                       std::vector<Rgb>& groups) {
+    std::ranges::fill(groups, Rgb{});
+    const PathSample path = settings_.integrator == IntegratorKind::Classic
+                                ? classic(ray)
+                                : tracer_.trace(ray, sampler, groups.data(), groups.size());
+    // Something not finite would blot out the pixel for ever.
+    if (std::isfinite(path.radiance.x + path.radiance.y + path.radiance.z)) {
+      film_.color[pixel] += path.radiance;
+      for (std::size_t g = 0; g < groups.size(); ++g) film_.groups[g][pixel] += groups[g];
+    }
+    film_.albedo[pixel] += path.albedo;
+    film_.normal[pixel] += path.normal;
+    film_.depth[pixel] += path.depth;
+    if (first) film_.objectId[pixel] = path.objectId;
+    return path.rays;
+  }
+
+  // The surface of 1993, with this integrator's features beside it.
+  PathSample classic([[maybe_unused]] const Ray& ray) const {
+    PathSample out;
+#ifdef IDAP_HAS_CLASSIC
+    out.radiance = classicRadiance(scene_, ray);
+#endif
+    Hit hit;
+    if (scene_.intersect(ray, hit, kSeenByCamera, true)) {
+      const Interaction at = scene_.interaction(ray, hit);
+      out.albedo = valuesAt(*at.surface, at.uv).baseColor;
+      out.normal = at.ns;
+      out.depth = hit.t;
+      out.objectId = at.objectId;
+    }
+    return out;
+  }
+
+  const CompiledScene& scene_;
+  const RenderSettings& settings_;
+  Film& film_;
+  const Progress& progress_;
+  CameraRays rays_;
+  PathTracer tracer_;
+  int tilesX_, tilesY_;
+  int log2Samples_;
+  std::vector<int> order_;
+  Clock::time_point start_;
+  std::mutex reportMutex_;
+  double lastReport_ = 0.0;
+  std::atomic<std::uint64_t> paths_{0}, traced_{0};
+};
+
+}  // namespace
+
+RenderStats render(const CompiledScene& scene, const Camera& camera, const RenderSettings& settings,
+                   Film& film, const Progress& progress) {
+  if (film.width != settings.width || film.height != settings.height || film.empty())
+    throw RenderError(fmt::format("a film of {} x {} pixels for a picture of {} x {}", film.width,
+                                  film.height, settings.width, settings.height));
+  Job job(scene, camera, settings, film, progress);
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  RenderStats stats;
+  arena.execute([&] { stats = job.run(); });
+  progress.report(1.0, "rendering");
+  return stats;
+}
+
+}  // namespace idap::render

@@ -1,0 +1,40 @@
+// Renders a picture: fills a film from a compiled scene. One call, many threads.
+#pragma once
+
+#include <cstdint>
+
+#include "base/progress.h"
+#include "render/accel/compiled_scene.h"
+#include "render/film/film.h"
+
+namespace idap::render {
+
+enum class IntegratorKind { Path, Classic };
+
+struct RenderSettings {
+  int width = 640;
+  int height = 480;
+  int spp = 0;                    // samples a pixel should have; 0: until the time is up
+  double timeLimitSeconds = 0.0;  // 0: none. With neither limit the render goes on until cancelled
+  int threads = 0;                // 0: all
+  std::uint64_t seed = 0;
+  IntegratorKind integrator = IntegratorKind::Path;
+  float clampIndirect = 0.0f;  // see PathOptions
+  bool perLightGroupLayers = false;
+};
+
+struct RenderStats {
+  double seconds = 0.0;
+  std::uint64_t paths = 0;  // begun at the camera
+  std::uint64_t rays = 0;   // nearest-hit and shadow rays; not counted by the classic integrator
+  int spp = 0;              // the least that any pixel has
+};
+
+// Adds samples to the film, which must have the settings' size (RenderError otherwise), until every pixel has
+// spp of them, the time is up, or progress is cancelled; never throws Cancelled. The film is valid at any
+// end: each pixel has its own weight. A film that already has samples is carried on as if it had never
+// stopped. Equal seeds give equal films on any number of threads as long as spp is what ends the render.
+RenderStats render(const CompiledScene& scene, const Camera& camera, const RenderSettings& settings,
+                   Film& film, const Progress& progress = {});
+
+}  // namespace idap::render
