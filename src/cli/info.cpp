@@ -19,7 +19,7 @@ std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home) {
   const auto lamps = static_cast<std::size_t>(
       std::count_if(home.furniture.begin(), home.furniture.end(), [](const auto& f) { return f.second->lamp.has_value(); }));
   const Catalog catalog;
-  const std::size_t triangles = scene::buildScene(home, catalog, {}, {}).triangles;
+  const std::size_t triangles = buildScene(home, catalog, {}, {}).triangles;
   return {{"levels", home.levels.size()},
           {"walls", home.walls.size()},
           {"rooms", home.rooms.size()},

@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "base/platform.h"
+#include "catalog/catalog.h"
+#include "cli/command.h"
+#include "cli/open_home.h"
+#include "cli/picture_output.h"
+#include "cli/progress_bar.h"
+#include "cli/usage_error.h"
+#include "light/civil_time.h"
+#include "render/accel/compiled_scene.h"
+#include "render/film/develop.h"
+#include "render/session/pilot.h"
+#include "render/session/render_job.h"
+#include "scene/scene_builder.h"
+
+namespace idap::cli {
+
+namespace {
+
+struct Options {
+  std::string input, output, camera, size = "960x640", integrator = "path", at, lamps = "auto", tone = "neutral";
+  int spp = 0, threads = 0;
+  double time = 0, clouds = 0;
+  std::optional<double> exposure;
+  bool noDenoise = false, json = false;
+};
+
+class Stopwatch {
+ public:
+  double lapMilliseconds() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::pair<int, int> parseSize(const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto w = std::from_chars(text.data(), end, width);
+  if (w.ec == std::errc() && w.ptr != end && (*w.ptr == 'x' || *w.ptr == 'X')) {
+    const auto h = std::from_chars(w.ptr + 1, end, height);
+    if (h.ec == std::errc() && h.ptr == end && width > 0 && height > 0) return {width, height};
+  }
+  throw UsageError(fmt::format("--size {}: give width x height in pixels, for instance 960x640", text));
+}
+
+// "2026-06-21T16:30", "2026-06-21 16:30:15" or "2026-06-21" (noon).
+std::optional<CivilTime> parseDateTime(const std::string& text) {
+  CivilTime t;
+  t.hour = 12;
+  char separator = 'T';
+  int used = 0;
+  const int fields = std::sscanf(text.c_str(), "%4d-%2d-%2d%n%c%2d:%2d%n:%2d%n", &t.year, &t.month, &t.day, &used,
+                                 &separator, &t.hour, &t.minute, &used, &t.second, &used);
+  if ((fields != 3 && fields != 6 && fields != 7) || used != static_cast<int>(text.size())) return std::nullopt;
+  if (separator != 'T' && separator != ' ') return std::nullopt;
+  const auto within = [](int value, int low, int high) { return value >= low && value <= high; };
+  if (!within(t.year, 1600, 2600) || !within(t.month, 1, 12) || !within(t.day, 1, 31) || !within(t.hour, 0, 23) ||
+      !within(t.minute, 0, 59) || !within(t.second, 0, 59))
+    return std::nullopt;
+  return t;
+}
+
+// The stored camera of that name or number (from 1), "top", or without a wish the first there is.
+Camera chooseCamera(const Home& home, const std::string& wish, double aspect, bool& fromAbove) {
+  fromAbove = false;
+  const auto top = [&] {
+    fromAbove = true;
+    return topCamera(home, aspect);
+  };
+  if (wish.empty()) {
+    if (!home.cameras.empty()) return *home.cameras.begin()->second;
+    if (home.observer) return *home.observer;
+    return top();
+  }
+  for (const auto& [id, camera] : home.cameras) {
+    if (camera->name == wish) return *camera;
+  }
+  if (wish == "top") return top();
+  std::size_t number = 0;
+  const auto parsed = std::from_chars(wish.data(), wish.data() + wish.size(), number);
+  if (parsed.ec == std::errc() && parsed.ptr == wish.data() + wish.size() && number >= 1 &&
+      number <= home.cameras.size())
+    return *std::next(home.cameras.begin(), static_cast<std::ptrdiff_t>(number - 1))->second;
+  std::string names;
+  std::size_t count = 0;
+  for (const auto& [id, camera] : home.cameras) names += fmt::format("{} '{}', ", ++count, camera->name);
+  throw Error(fmt::format("no camera '{}' in this home; it has {}top", wish, names));
+}
+
+LampPolicy lampPolicy(const std::string& text) {
+  return text == "on" ? LampPolicy::On : text == "off" ? LampPolicy::Off : LampPolicy::Auto;
+}
+
+render::ToneMap toneMap(const std::string& text) {
+  for (const auto map : {render::ToneMap::PbrNeutral, render::ToneMap::AgX, render::ToneMap::Classic, render::ToneMap::Linear})
+    if (render::name(map) == text) return map;
+  throw UsageError("--tone " + text + ": choose neutral, agx, classic or linear");
+}
+
+int renderPicture(const Options& options) {
+  const auto [width, height] = parseSize(options.size);
+  const PictureKind kind = pictureKind(options.output);
+  requireWritable(options.output);
+  const bool classic = options.integrator == "classic";
+  std::optional<CivilTime> at;
+  if (!options.at.empty()) {
+    at = parseDateTime(options.at);
+    if (!at) throw UsageError("--at " + options.at + ": give a date and time, for instance 2026-06-21T16:30");
+  }
+
+  ProgressBar bar;
+  std::string phase = "reading";
+  Progress progress([&](double fraction, std::string_view) { bar.show(fraction, phase); });
+  const CancelOnInterrupt interrupt(progress);
+  Stopwatch watch;
+
+  const ReadResult read = openHome(options.input, progress);
+  const Home& home = read.home;
+  const double aspect = static_cast<double>(width) / height;
+  BuildOptions build;
+  bool fromAbove = false;
+  const Camera camera = chooseCamera(home, options.camera, aspect, fromAbove);
+  build.ceilings = !fromAbove;
+  build.lamps = lampPolicy(options.lamps);
+  build.cloudiness = options.clouds;
+  build.time = camera.time;
+  if (at) build.time = utcFromCivil(*at, isTimeZone(home.site.timeZone) ? home.site.timeZone : "UTC");
+  const double readMs = watch.lapMilliseconds();
+
+  phase = "building";
+  const Catalog catalog;
+  const BuiltScene built = buildScene(home, catalog, build, progress);
+  for (const std::string& warning : built.warnings) fmt::print(stderr, "idap: {}: {}\n", options.input, warning);
+  const double buildMs = watch.lapMilliseconds();
+  const render::CompiledScene scene(built.scene, options.threads);
+  progress.check();
+  const double bvhMs = watch.lapMilliseconds();
+
+  phase = "rendering";
+  render::RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.spp = options.spp > 0 ? options.spp : options.time > 0 ? 0 : classic ? 4 : 64;
+  settings.timeLimitSeconds = options.time;
+  settings.threads = options.threads;
+  settings.integrator = classic ? render::IntegratorKind::Classic : render::IntegratorKind::Path;
+  settings.perLightGroupLayers = kind == PictureKind::Exr && built.scene->lightGroups.size() <= 64;
+  render::Film film(width, height, settings.perLightGroupLayers ? static_cast<int>(built.scene->lightGroups.size()) : 0);
+  const render::Camera view = toRenderCamera(camera, built, aspect);
+  if (!classic) settings.clampIndirect = render::clampFor(render::pilotExposure(scene, view, settings));
+  const render::RenderStats stats = render::render(scene, view, settings, film, progress);
+  if (stats.paths == 0) throw Cancelled();
+  const double renderMs = watch.lapMilliseconds();
+
+  phase = "developing";
+  bar.show(0, phase);
+  render::DevelopSettings develop;
+  if (options.exposure) develop.ev = static_cast<float>(*options.exposure);
+  develop.toneMap = classic ? render::ToneMap::Classic : toneMap(options.tone);
+  develop.denoise = !options.noDenoise && !classic;
+  develop.threads = options.threads;
+  savePicture(options.output, kind, film, built.scene->lightGroups, develop);
+  const double developMs = watch.lapMilliseconds();
+
+  if (options.json) {
+    const auto rounded = [](double ms) { return std::round(ms * 10) / 10; };
+    const nlohmann::ordered_json json{{"read_ms", rounded(readMs)},
+                                      {"build_ms", rounded(buildMs)},
+                                      {"bvh_ms", rounded(bvhMs)},
+                                      {"render_ms", rounded(renderMs)},
+                                      {"develop_ms", rounded(developMs)},
+                                      {"width", width},
+                                      {"height", height},
+                                      {"spp", stats.spp},
+                                      {"paths", stats.paths},
+                                      {"rays", stats.rays},
+                                      {"triangles", built.triangles},
+                                      {"instances", built.scene->instances.size()},
+                                      {"lights", built.scene->lamps.size()},
+                                      {"peak_rss_mb", rounded(peakMemoryMegabytes())},
+                                      {"interrupted", progress.cancelled()},
+                                      {"output", options.output}};
+    fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+  if (progress.cancelled()) fmt::print(stderr, "idap: stopped; {} holds the {} samples a pixel made so far\n", options.output, stats.spp);
+  return 0;
+}
+
+}  // namespace
+
+Job describeRender(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("FILE", options->input, "Home to show (.idap, .sh3d)")->required();
+  app.add_option("-o,--output", options->output, "Picture to write: .png, .jpg, .exr (linear, with layers) or .pcx")->required();
+  app.add_option("--camera", options->camera, "Point of view: its name, its number from 1, or top")->type_name("NAME|N|top");
+  app.add_option("--size", options->size, "Width and height in pixels (960x640)")->type_name("WxH");
+  CLI::Option* spp = app.add_option("--spp", options->spp, "Samples a pixel (64)")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--time", options->time, "Seconds to render for, instead of --spp")->check(CLI::Range(0.01, 1e7))->excludes(spp);
+  app.add_option("--integrator", options->integrator, "path: light as it is; classic: the shading of 1993")
+      ->check(CLI::IsMember({"path", "classic"}));
+  app.add_option("--exposure", options->exposure, "Exposure value at ISO 100, as on a camera; without it, chosen from the picture")->type_name("EV");
+  app.add_option("--tone", options->tone, "Tone curve: neutral, agx, classic or linear")->check(CLI::IsMember({"neutral", "agx", "classic", "linear"}));
+  app.add_option("--at", options->at, "Date and time at the home, for instance 2026-06-21T16:30")->type_name("DATETIME");
+  app.add_option("--lamps", options->lamps, "auto: as the home has them; on; off")->check(CLI::IsMember({"auto", "on", "off"}));
+  app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--threads", options->threads, "Processors to use (all)")->check(CLI::Range(1, 1024));
+  app.add_flag("--no-denoise", options->noDenoise, "Leave the noise in");
+  app.add_flag("--json", options->json, "Print figures as one JSON object on standard output");
+  return [options] { return renderPicture(*options); };
+}
+
+}  // namespace idap::cli
