@@ -95,7 +95,8 @@ class Materials {
     const std::string file = "materials.json";
     std::map<std::string, json> sources;
     try {
-      for (const json& given : json::parse(embeddedCatalogFile(file)).at("materials")) {
+      const json all = json::parse(embeddedCatalogFile(file));
+      for (const json& given : all.at("materials")) {
         json j = given;
         if (given.contains("like")) {
           j = sources.at(given.at("like").get<std::string>());

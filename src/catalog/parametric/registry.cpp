@@ -18,6 +18,8 @@ const Generators& generators() {
     Generators g;
     addChairs(g);
     addCabinets(g);
+    addDoors(g);
+    addWindows(g);
     return g;
   }();
   return all;

@@ -45,4 +45,6 @@ const Generators& generators();
 void addChairs(Generators& to);
 void addCabinets(Generators& to);
 
+void addDoors(Generators& to);
+void addWindows(Generators& to);
 }  // namespace idap::parametric
