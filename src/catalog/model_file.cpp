@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
-#include <optional>
 
 #include "base/error.h"
 #include "base/zip.h"
@@ -50,41 +49,51 @@ std::string sniffed(const Bytes& bytes) {
 
 SurfaceModel readArchived(const Bytes& bytes, const std::string& name, const ModelFileOptions& options) {
   const auto archive = std::make_shared<const ZipReader>(std::make_shared<const Bytes>(bytes), name);
-  const std::string* best = nullptr;
-  auto rank = std::size(kExtensions);
-  for (const std::string& entry : archive->entries()) {
-    const auto found = std::find(std::begin(kExtensions), std::end(kExtensions), extensionOf(entry));
-    const auto place = std::size_t(std::distance(std::begin(kExtensions), found));
-    if (place < rank) {
-      rank = place;
-      best = &entry;
-    }
-  }
-  if (!best) throw ParseError(name, "", "the archive holds no model");
-  const std::size_t slash = best->rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : best->substr(0, slash + 1);
+  const std::string model = modelInArchive(archive->entries());
+  if (model.empty()) throw ParseError(name, "", "the archive holds no model");
+  const std::size_t slash = model.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : model.substr(0, slash + 1);
   const SiblingFiles inside = [archive, folder](const std::string& path) -> SharedBytes {
     if (!archive->contains(folder + path)) return nullptr;
     return std::make_shared<const Bytes>(archive->read(folder + path));
   };
-  return readModelFile(archive->read(*best), *best, inside, options);
+  const Bytes content = archive->read(model);
+  if (looksLikeZip(content)) throw ParseError(name, model, "an archive in an archive");
+  return readModelFile(content, model, inside, options);
 }
 
 }  // namespace
 
+std::string modelFileKind(const Bytes& bytes, const std::string& name) {
+  if (looksLikeZip(bytes)) return "zip";
+  if (std::string kind = sniffed(bytes); !kind.empty()) return kind;
+  std::string extension = extensionOf(name);
+  const bool known =
+      std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
+  return known ? extension : std::string();
+}
+
+std::string modelInArchive(const std::vector<std::string>& entries) {
+  std::string best;
+  auto rank = std::ptrdiff_t(std::size(kExtensions));
+  for (const std::string& entry : entries) {
+    const auto place =
+        std::find(std::begin(kExtensions), std::end(kExtensions), extensionOf(entry)) - kExtensions;
+    if (place >= rank) continue;
+    rank = place;
+    best = entry;
+  }
+  return best;
+}
+
 SurfaceModel readModelFile(const Bytes& bytes, const std::string& name, const SiblingFiles& siblings,
                            const ModelFileOptions& options) {
-  if (looksLikeZip(bytes)) return readArchived(bytes, name, options);
-  std::string format = sniffed(bytes);
-  if (format.empty()) format = extensionOf(name);
-  PolygonModel polygons;
-  if (format == "obj") {
-    polygons = parseObj(asText(bytes), name, siblings);
-  } else if (std::find(std::begin(kExtensions), std::end(kExtensions), format) != std::end(kExtensions)) {
-    polygons = readWithAssimp(bytes, name, format, siblings);
-  } else {
+  const std::string kind = modelFileKind(bytes, name);
+  if (kind.empty())
     throw ParseError(name, "", "not a model of a known kind (OBJ, 3DS, DAE, STL, glTF, or a ZIP of one)");
-  }
+  if (kind == "zip") return readArchived(bytes, name, options);
+  PolygonModel polygons =
+      kind == "obj" ? parseObj(asText(bytes), name, siblings) : readWithAssimp(bytes, name, kind, siblings);
   SurfaceModel model = surfaceModelOf(std::move(polygons), options.rotation, options.smoothed);
   if (model.mesh.empty()) throw ParseError(name, "", "the model has no faces");
   return model;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "base/bytes.h"
 #include "catalog/surface_model.h"
@@ -24,5 +25,12 @@ struct ModelFileOptions {
 // Throws ParseError with name and line or element; a missing material library or texture is not an error.
 SurfaceModel readModelFile(const Bytes& bytes, const std::string& name, const SiblingFiles& siblings,
                            const ModelFileOptions& options = {});
+
+// The format by content first, by the name's extension second: "obj", "3ds", "dae", "stl", "gltf", "glb",
+// "zip"; empty when it is no model file.
+std::string modelFileKind(const Bytes& bytes, const std::string& name);
+
+// Of the entries of an archive, the one that is the model; empty when none is.
+std::string modelInArchive(const std::vector<std::string>& entries);
 
 }  // namespace idap
