@@ -113,7 +113,8 @@ BuiltinPiece pieceOf(const json& j, const std::string& category, const BuiltinCa
   if (j.contains("lamp")) piece.lamp = lampOf(j.at("lamp"));
   if (j.contains("opening")) readOpening(j.at("opening"), piece);
   piece.staircaseCutOut = j.value("staircaseCutOut", "");
-  for (const auto& [slot, value] : j.value("slots", json::object()).items()) {
+  const json slots = j.value("slots", json::object());
+  for (const auto& [slot, value] : slots.items()) {
     SlotMaterial material;
     if (value.is_string()) {
       material.material = value.get<std::string>();
