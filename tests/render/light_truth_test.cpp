@@ -34,7 +34,10 @@ TEST_P(Furnace, EveryPointOfAGlowingClosedBoxIsEquallyBright) {
   const float rho = GetParam();
   SceneMaker make;
   make.add(boxMesh({-1, -2, 0}, {3, 1, 2.5f}, true), lambert(grey(rho), grey(100)));
-  make.add(sphereMesh({0.5f, -0.5f, 1}, 0.4f, 8), lambert(grey(rho), grey(100)));
+  // Flat triangles: smooth normals on coarse meshes are a look, not physics, and lose some light.
+  Mesh ball = sphereMesh({0.5f, -0.5f, 1}, 0.4f, 8);
+  ball.normals.clear();
+  make.add(ball, lambert(grey(rho), grey(100)));
   const auto scene = make.compile();
   const double expected = kPi * 100 / (1 - static_cast<double>(rho));
   // The length of a path is geometrically distributed, so one sample's deviation is about the mean itself.

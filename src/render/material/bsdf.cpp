@@ -22,7 +22,12 @@ float Bsdf::schlick(float cosine) { return schlickWeight(cosine); }
 Bsdf::Bsdf(const Interaction& at, const SurfaceValues& values, Vec3f wo)
     : frame_(at.ns), ng_(at.ng), wo_(frame_.toLocal(wo)) {
   const SurfaceData& s = *at.surface;
-  wo_.z = std::max(wo_.z, 1e-4f);
+  if (wo_.z < 1e-3f) {
+    // The shading normal has turned away from the viewer: take the nearest direction that it does see.
+    wo_.z = 0;
+    const float l2 = dot(wo_, wo_);
+    wo_ = l2 > 0 ? normalized(wo_ * (1 / std::sqrt(l2)) + Vec3f{0, 0, 1e-3f}) : Vec3f{0, 0, 1};
+  }
   const float cosine = std::min(wo_.z, 1.0f);
   roughness_ = values.roughness;
   alpha_ = roughness_ * roughness_;

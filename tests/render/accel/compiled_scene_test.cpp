@@ -1,0 +1,208 @@
+#include "render/accel/compiled_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/error.h"
+#include "render/sampling/frame.h"
+#include "render/sampling/warp.h"
+#include "render/scene_parts.h"
+#include "render/session/illuminance.h"
+
+namespace idap::render {
+namespace {
+
+using namespace test;
+
+TEST(CompiledScene, FindsWhatARayHits) {
+  SceneMaker make;
+  make.add(boxMesh({-1, -1, -1}, {1, 1, 1}), lambert(grey(0.5f)), Transformf::translation({10, 0, 0}));
+  const auto scene = make.compile();
+  Hit hit;
+  const Ray ray{{0, 0.25f, 0.5f}, {1, 0, 0}};
+  ASSERT_TRUE(scene->intersect(ray, hit, kBounceRay));
+  EXPECT_NEAR(hit.t, 9.0f, 1e-5f);
+  const Interaction at = scene->interaction(ray, hit);
+  EXPECT_NEAR(at.position.x, 9.0f, 1e-5f);
+  EXPECT_NEAR(at.ng.x, -1.0f, 1e-6f);
+  EXPECT_TRUE(at.frontFace);
+  EXPECT_EQ(at.objectId, 1u);
+  EXPECT_TRUE(scene->occluded(ray));
+  EXPECT_FALSE(scene->occluded({ray.origin, ray.direction, 0, 8.9f}));
+  EXPECT_FALSE(scene->intersect({ray.origin, {-1, 0, 0}}, hit, kBounceRay));
+  EXPECT_EQ(scene->stats().uniqueTriangles, 12u);
+  EXPECT_GT(scene->stats().embreeBytes, 0u);
+}
+
+TEST(CompiledScene, FrontsStayFrontsUnderMirrorsAndUnevenScale) {
+  Transformf mirror = Transformf::translation({0, 5, 0}) * Transformf::scaling({-2, 1, 0.5f});
+  SceneMaker make;
+  make.add(sphereMesh({0, 0, 0}, 1), lambert(grey(0.5f)), mirror);
+  const auto scene = make.compile();
+  for (int i = 0; i < 200; ++i) {
+    const Vec3f d = uniformCone(hammersley(i, 200), 2.0f);
+    // From well outside towards the middle.
+    const Ray ray{Vec3f{0, 5, 0} - d * 4.0f, d};
+    Hit hit;
+    ASSERT_TRUE(scene->intersect(ray, hit, kBounceRay));
+    const Interaction at = scene->interaction(ray, hit);
+    EXPECT_TRUE(at.frontFace);
+    const Vec3f p = at.position - Vec3f{0, 5, 0};
+    const Vec3f truth = normalized(Vec3f{p.x / 4, p.y, p.z * 4});  // gradient of the ellipsoid
+    EXPECT_GT(dot(at.ns, truth), 0.99f);
+    EXPECT_GT(dot(at.ns, -d), 0.0f);
+  }
+}
+
+TEST(CompiledScene, MovingAnInstanceMovesItsShadowAndItsLight) {
+  SceneMaker make;
+  make.add(parallelogram({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}), lambert({}));
+  make.add(parallelogram({-0.5f, -0.5f, 3}, {0, 1, 0}, {1, 0, 0}), lambert({}, grey(100)));
+  const auto scene = make.compile();
+  const Ray up{{0, 0, 0}, {0, 0, 1}};
+  EXPECT_TRUE(scene->occluded(up));
+  EXPECT_EQ(luminance(illuminance(*scene, {}, {0, 0, 1}, {.samples = 64})), 0.0f);
+  scene->setTransform(0, Transformf::translation({20, 0, 0}));
+  scene->commit();
+  const float lit = luminance(illuminance(*scene, {}, {0, 0, 1}, {.samples = 1024}));
+  EXPECT_GT(lit, 5.0f);
+  scene->setTransform(1, Transformf::translation({0, 0, 3}));
+  scene->commit();
+  EXPECT_LT(luminance(illuminance(*scene, {}, {0, 0, 1}, {.samples = 1024})), 0.4f * lit);
+}
+
+TEST(CompiledScene, LightPassesGlassCutOutsAndPartialOpacity) {
+  SceneMaker make;
+  Surface half = lambert(grey(0.5f));
+  half.opacity = 0.25f;
+  make.add(parallelogram({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}), half);
+  auto picture = std::make_shared<Texture>();
+  picture->width = 2;
+  picture->height = 1;
+  picture->rgba = {255, 255, 255, 255, 255, 255, 255, 0};
+  picture->hasAlpha = true;
+  Surface leaf = lambert(grey(0.5f));
+  leaf.baseColorMap = picture;
+  make.add(parallelogram({4, -1, 1}, {2, 0, 0}, {0, 2, 0}), leaf);
+  Surface solid;
+  solid.transmission = 1;
+  solid.thin = false;
+  make.add(boxMesh({8, -1, 1}, {10, 1, 2}), solid);
+  const auto scene = make.compile();
+  const auto through = [&](float x, float y) { return scene->transmittance({{x, y, 0}, {0, 0, 1}}).x; };
+  EXPECT_NEAR(through(0.3f, 0.2f), 0.75f, 1e-5f);
+  EXPECT_NEAR(through(4.5f, 0.1f), 0.0f, 1e-5f) << "the opaque half of the leaf";
+  EXPECT_NEAR(through(5.5f, 0.1f), 1.0f, 1e-5f) << "its cut-out half";
+  EXPECT_EQ(through(9, 0.3f), 0.0f) << "solid glass bends light: nothing goes straight through";
+  EXPECT_EQ(through(12, 0), 1.0f);
+  EXPECT_FALSE(scene->occluded({{0.3f, 0.2f, 0}, {0, 0, 1}}));
+}
+
+TEST(CompiledScene, OneMeshMayBeGlassHereAndWoodThere) {
+  SceneMaker make;
+  Surface glass;
+  glass.transmission = 1;
+  glass.roughness = 0;
+  const std::uint32_t clear = make.surface(glass), wood = make.surface(lambert(grey(0.5f)));
+  Mesh m = parallelogram({-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
+  m.slots = {0, 1};
+  make.add(m, std::vector<std::uint32_t>{clear, wood});
+  Instance second = make.scene().instances[0];
+  second.surfaces = {wood, clear};
+  second.transform = Transformf::translation({5, 0, 0});
+  make.scene().instances.push_back(second);
+  const auto scene = make.compile();
+  const auto through = [&](float x, float y) {
+    return scene->transmittance({{x, y, 0}, {0, 0, 1}}).x > 0.5f;
+  };
+  EXPECT_TRUE(through(0.5f, -0.5f));
+  EXPECT_FALSE(through(-0.5f, 0.5f));
+  EXPECT_FALSE(through(5.5f, -0.5f));
+  EXPECT_TRUE(through(4.5f, 0.5f));
+}
+
+TEST(CompiledScene, NewRaysNeitherHitTheirOwnSurfaceNorLeakOut) {
+  for (const float distance : {0.0f, 20.0f, 100.0f}) {
+    SceneMaker make;
+    const Transformf t = Transformf::translation({distance, -distance, 0}) * Transformf::rotationZ(0.7f);
+    make.add(boxMesh({-2, -2, 0}, {2, 2, 3}, true), lambert(grey(0.5f)), t);
+    const auto scene = make.compile();
+    for (int i = 0; i < 2000; ++i) {
+      const Vec2f u = hammersley(i, 2000);
+      const Vec3f middle = t.point({0, 0, 1.5f});
+      const Ray ray{middle, uniformCone(u, 2.0f)};
+      Hit hit;
+      ASSERT_TRUE(scene->intersect(ray, hit, kBounceRay));
+      const Interaction at = scene->interaction(ray, hit);
+      const Vec3f d = Frame(at.ng).toWorld(cosineHemisphere({u.y, u.x}));
+      Hit next;
+      ASSERT_TRUE(scene->intersect({at.originTowards(d), d}, next, kBounceRay)) << "leaked at " << distance;
+      // Back to the middle, which all of the room sees.
+      EXPECT_FALSE(scene->occluded({at.originTowards(-ray.direction), -ray.direction, 0, hit.t * 0.999f}))
+          << "shadowed itself at " << distance;
+    }
+  }
+}
+
+TEST(CompiledScene, BrokenTrianglesAreHarmless) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  SceneMaker make;
+  Mesh m = parallelogram({-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
+  m.positions.push_back({nan, 0, 1});
+  m.positions.push_back({inf, 0, 1});
+  m.positions.push_back({0, 0, 1});
+  m.uvs.resize(m.positions.size());
+  m.triangles.push_back({0, 1, 4});
+  m.triangles.push_back({0, 5, 2});
+  m.triangles.push_back({6, 6, 6});
+  make.add(m, lambert(grey(0.5f), grey(10)));
+  make.add(parallelogram({}, {1, 0, 0}, {0, 1, 0}), lambert(grey(0.5f)), Transformf::scaling({1, 1, 0}));
+  make.add(parallelogram({}, {1, 0, 0}, {0, 1, 0}), lambert(grey(0.5f)),
+           Transformf::translation({nan, 0, 0}));
+  make.add(Mesh{}, lambert(grey(0.5f)));
+  const auto scene = make.compile();
+  Hit hit;
+  EXPECT_TRUE(scene->intersect({{0.3f, 0.3f, 0.5f}, {0, 0, 1}}, hit, kBounceRay));
+  EXPECT_NEAR(hit.t, 0.5f, 1e-6f);
+  const float e = luminance(illuminance(*scene, {0, 0, 0.5f}, {0, 0, 1}, {.samples = 512}));
+  EXPECT_TRUE(std::isfinite(e) && e > 1);
+}
+
+TEST(CompiledScene, RefusesWhatPointsNowhere) {
+  SceneMaker none;
+  none.scene().instances.emplace_back().mesh = 3;
+  EXPECT_THROW(none.compile(), RenderError);
+  SceneMaker vertex;
+  Mesh m = parallelogram({}, {1, 0, 0}, {0, 1, 0});
+  m.triangles.push_back({0, 1, 9});
+  vertex.add(m, lambert(grey(0.5f)));
+  EXPECT_THROW(vertex.compile(), RenderError);
+  SceneMaker surface;
+  surface.add(parallelogram({}, {1, 0, 0}, {0, 1, 0}), std::uint32_t{7});
+  EXPECT_THROW(surface.compile(), RenderError);
+}
+
+TEST(CompiledScene, CoarseSmoothSpheresHaveNoBlackFaces) {
+  SceneMaker make;
+  make.add(sphereMesh({0, 0, 0}, 1, 6), lambert(grey(0.5f)));
+  Surface mirror;
+  mirror.metalness = 1;
+  mirror.roughness = 0;
+  make.add(sphereMesh({5, 0, 0}, 1, 6), mirror);
+  const auto scene = make.compile();
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2f u = hammersley(i, 2000);
+    const Ray ray{{i % 2 ? 5.0f : 0.0f, -5, 0},
+                  normalized(Vec3f{0.38f * (u.x - 0.5f), 1, 0.38f * (u.y - 0.5f)})};
+    Hit hit;
+    if (!scene->intersect(ray, hit, kBounceRay)) continue;
+    const Interaction at = scene->interaction(ray, hit);
+    EXPECT_GE(dot(at.ns, -ray.direction), 0.0f);
+    const Vec3f mirrored = ray.direction - at.ns * (2 * dot(at.ns, ray.direction));
+    EXPECT_GT(dot(mirrored, at.ng), 0.0f);
+  }
+}
+
+}  // namespace
+}  // namespace idap::render
