@@ -1,7 +1,6 @@
 #include "formats/sh3d/opening_hosts.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -49,13 +48,6 @@ std::vector<Segment> centreLine(const Wall& wall) {
   return line;
 }
 
-std::string lowered(const std::string& text) {
-  std::string result = text;
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return result;
-}
-
 }  // namespace
 
 WallId hostOf(const Home& home, const Opening& opening) {
@@ -88,20 +80,6 @@ WallId hostOf(const Home& home, const Opening& opening) {
     }
   }
   return best;
-}
-
-OpeningKind openingKindOf(const std::string& catalogId, const std::string& name, double sill, double height,
-                          bool hasLeaves) {
-  const std::string words = lowered(catalogId) + " " + lowered(name);
-  const auto says = [&](const char* word) { return words.find(word) != std::string::npos; };
-  if (says("doorframe") || says("door frame")) return OpeningKind::Bare;
-  const bool walkThrough = sill <= 0.2 && height >= 1.9;
-  if (says("window")) {
-    const bool opens = hasLeaves || says("french") || says("slid");
-    return walkThrough && opens && !says("fixed") ? OpeningKind::Door : OpeningKind::Window;
-  }
-  if (says("door") || says("gate")) return OpeningKind::Door;
-  return walkThrough ? OpeningKind::Door : OpeningKind::Window;
 }
 
 }  // namespace idap

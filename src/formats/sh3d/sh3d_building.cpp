@@ -1,6 +1,6 @@
 // Levels, walls and rooms. On the file's plan y runs down; turned up, the left hand stays the left hand,
 // while clockwise sweeps become negative.
-#include <array>
+#include <cmath>
 
 #include "formats/sh3d/sh3d_context.h"
 

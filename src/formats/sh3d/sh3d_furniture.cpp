@@ -1,9 +1,11 @@
 // Pieces of furniture, lamps, doors, windows and groups.
-#include <array>
-#include <sstream>
+#include <algorithm>
+#include <cmath>
 
 #include "catalog/light_power.h"
 #include "catalog/model_file_material.h"
+#include "catalog/model_rotation.h"
+#include "catalog/opening_kind.h"
 #include "formats/sh3d/opening_hosts.h"
 #include "formats/sh3d/sh3d_context.h"
 
@@ -14,18 +16,6 @@ namespace {
 constexpr int kMaxGroupDepth = 64;
 constexpr int kShowBackFaces = 1;  // of modelFlags
 
-// Rows of a matrix on (x right, y up, z front), to the images of our axes (x right, y back, z up).
-std::optional<std::array<Vec3, 3>> rotationOf(const std::string& text) {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  std::array<double, 9> m;
-  for (double& value : m)
-    if (!(in >> value) || !std::isfinite(value) || std::abs(value) > 1e3) return std::nullopt;
-  // The image of one of the file's axes is a column; ours of it is (x, -z, y).
-  const auto image = [&](std::size_t column) { return Vec3{m[column], -m[column + 6], m[column + 3]}; };
-  return std::array<Vec3, 3>{image(0), -image(2), image(1)};
-}
-
 ModelRef readModel(Sh3dContext& context, const Sh3dElement& element) {
   ModelRef model;
   model.catalogId = element.text("catalogId");
@@ -35,7 +25,7 @@ ModelRef readModel(Sh3dContext& context, const Sh3dElement& element) {
     context.report.add(element.place(), "the file names no model for it");
   }
   if (element.has("modelRotation")) {
-    if (const auto rotation = rotationOf(element.text("modelRotation"))) {
+    if (const auto rotation = modelRotationOf(element.text("modelRotation"))) {
       model.rotation = *rotation;
     } else {
       context.report.add(element.place(), "its model's rotation cannot be read: ignored");

@@ -2,6 +2,8 @@
 #include <cctz/civil_time.h>
 #include <cctz/time_zone.h>
 
+#include <cmath>
+
 #include "formats/sh3d/sh3d_context.h"
 
 namespace idap {
