@@ -11,6 +11,7 @@
 
 #include "base/progress.h"
 #include "catalog/catalog.h"
+#include "light/daylight.h"
 #include "model/home.h"
 #include "render/scene.h"
 
@@ -27,7 +28,7 @@ struct BuildOptions {
   bool ground = true;    // the land around the house
   LampPolicy lamps = LampPolicy::Auto;
   std::optional<std::int64_t> time;  // ms since 1970 (UTC); none: the home's own
-  double cloudiness = 0;             // 0 clear .. 1 overcast
+  Weather weather = Weather::Clear;
 };
 
 // What an object id in the film stands for; monostate: the ground.

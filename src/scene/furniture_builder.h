@@ -1,0 +1,55 @@
+// Furniture, doors and windows as instances of shared meshes, with their finishes and their light.
+#pragma once
+
+#include "scene/model_cache.h"
+#include "scene/room_builder.h"
+#include "scene/scene_builder.h"
+#include "scene/surface_mapper.h"
+
+namespace idap {
+
+class FurnitureBuilder {
+ public:
+  FurnitureBuilder(const Home& home, const std::vector<Storey>& storeys, const ModelCache& models,
+                   SurfaceMapper& surfaces, BuiltScene& built)
+      : home_(home), storeys_(storeys), models_(models), surfaces_(surfaces), built_(built) {}
+
+  // What light must not be put into.
+  void setRooms(const RoomBuilder* rooms, const std::vector<WallSolid>* walls) {
+    rooms_ = rooms, walls_ = walls;
+  }
+
+  void add(FurnitureId id, const Furniture& piece, LampPolicy lamps);
+  // Returns true when light gets through the model: a pane, or no model at all.
+  bool add(OpeningId id, const Opening& opening);
+
+ private:
+  struct Placed {
+    std::uint32_t instance = 0;
+    const SurfaceModel* model = nullptr;  // null: a box in its stead
+    std::shared_ptr<const Mesh> mesh;
+    Transform meshToScene, pieceToScene;
+    Vec3 size;
+  };
+  std::optional<Placed> place(ElementId id, const Piece& piece, bool boxIfMissing);
+  std::vector<std::uint32_t> surfacesOf(const SurfaceModel& model, const Piece& piece, bool& needsMapping,
+                                        std::vector<bool>& mappedSlots);
+  std::uint32_t addSurface(render::Surface surface);
+  std::uint32_t meshIndex(const std::shared_ptr<const Mesh>& mesh);
+  Vec3 intoRoom(std::size_t storey, Vec3 point, double radius) const;
+  void addLight(const Furniture& piece, const Placed& placed, double lumens);
+
+  const Home& home_;
+  const std::vector<Storey>& storeys_;
+  const ModelCache& models_;
+  SurfaceMapper& surfaces_;
+  BuiltScene& built_;
+  const RoomBuilder* rooms_ = nullptr;
+  const std::vector<WallSolid>* walls_ = nullptr;
+  std::map<const Mesh*, std::uint32_t> meshes_;
+  std::map<std::pair<const SurfaceModel*, std::size_t>, std::uint32_t> plain_;  // surfaces without a finish
+  std::map<std::string, std::shared_ptr<const Mesh>> mapped_;
+  std::shared_ptr<const Mesh> box_;
+};
+
+}  // namespace idap

@@ -1,0 +1,386 @@
+#include "scene/room_builder.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "geometry/svg_path.h"
+#include "scene/sloped_ceiling.h"
+
+namespace idap {
+
+namespace {
+
+constexpr double kUnderWall = 0.02;  // m that floors and ceilings reach into walls
+constexpr double kGap = 0.04;        // m; rooms drawn up to twice this off their walls are meant to touch
+constexpr double kBelowSlab =
+    0.002;                          // m that a ceiling hangs below wall tops and slabs, never in their plane
+constexpr double kNearWall = 0.15;  // m; corners this near a wall take its height
+constexpr double kLowestFullWall = 1.8;  // m; lower ones are parapets
+constexpr double kLeastArea = 1e-5;      // m2
+
+Regions withoutSlivers(Regions regions) {
+  std::erase_if(regions, [](const Region& r) { return signedArea(r.outer) < kLeastArea; });
+  return regions;
+}
+
+bool inside(const Regions& regions, Vec2 p) {
+  for (const Region& r : regions) {
+    if (!contains(r.outer, p)) continue;
+    if (std::none_of(r.holes.begin(), r.holes.end(), [&](const Polygon& h) { return contains(h, p); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Regions wallPlan(const std::vector<WallSolid>& walls, std::size_t storey, double reaching) {
+  std::vector<Polygon> outlines;
+  for (const WallSolid& wall : walls) {
+    if (wall.storey != storey) continue;
+    const double top = wall.floor + wall.raised + std::max(wall.wall->heightAtStart, wall.wall->heightAtEnd);
+    if (top >= reaching) outlines.push_back(wall.polygon);
+  }
+  return unite(outlines);
+}
+
+// The parts of walls that a floor or ceiling reaches into.
+Regions margin(const Regions& plan, const Regions& walls, double reach) {
+  return withoutSlivers(intersect(buffer(plan, reach), walls));
+}
+
+double distanceToWall(const WallSolid& wall, Vec2 p) {
+  double nearest = 1e300;
+  for (std::size_t i = 0; i < wall.polygon.size(); ++i) {
+    const Vec2 a = wall.polygon[i], d = wall.polygon[(i + 1) % wall.polygon.size()] - a;
+    const double l2 = dot(d, d);
+    const double t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
+    nearest = std::min(nearest, length(p - a - d * t));
+  }
+  return contains(wall.polygon, p) ? 0 : nearest;
+}
+
+double fullHeight(const WallSolid& wall) {
+  return std::max(wall.wall->heightAtStart, wall.wall->heightAtEnd);
+}
+
+}  // namespace
+
+std::vector<StairHole> stairHoles(const Home& home, const std::vector<Storey>& storeys) {
+  std::vector<StairHole> holes;
+  for (const auto& [id, piece] : home.furniture) {
+    if (piece->staircaseCutOut.empty() || !isShown(home, *piece)) continue;
+    const bool shown =
+        std::any_of(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == piece->level; });
+    if (!shown) continue;
+    std::vector<Polygon> rings;
+    try {
+      rings = parseSvgPath(piece->staircaseCutOut);
+    } catch (const ParseError&) {
+      continue;
+    }
+    for (Polygon& ring : rings) {
+      for (Vec2& p : ring) {
+        Vec2 q{(p.x - 0.5) * piece->size.x, (0.5 - p.y) * piece->size.y};
+        if (piece->mirrored) q.x = -q.x;
+        p = rotated(q, piece->angle) + Vec2{piece->position.x, piece->position.y};
+      }
+    }
+    StairHole hole;
+    hole.region = unite(rings);
+    hole.bottom = elevationOf(home, piece->level) + piece->position.z;
+    hole.top = hole.bottom + piece->size.z;
+    if (!hole.region.empty()) holes.push_back(std::move(hole));
+  }
+  return holes;
+}
+
+RoomBuilder::RoomBuilder(const Home& home, const std::vector<Storey>& storeys,
+                         const std::vector<WallSolid>& walls, const std::vector<OpeningCut>& openings,
+                         bool ceilings)
+    : storeys_(storeys),
+      walls_(walls),
+      openings_(openings),
+      holes_(stairHoles(home, storeys)),
+      ceilings_(ceilings) {
+  for (std::size_t i = 0; i < storeys_.size(); ++i) wallPlans_.push_back(wallPlan(walls_, i, -1e300));
+  for (const auto& [id, room] : home.rooms) {
+    const auto storey =
+        std::find_if(storeys_.begin(), storeys_.end(), [&](const Storey& s) { return s.id == room->level; });
+    if (storey == storeys_.end()) continue;
+    Room r;
+    r.id = id;
+    r.room = room;
+    r.storey = static_cast<std::size_t>(storey - storeys_.begin());
+    const Regions& wallsHere = wallPlans_[r.storey];
+    Regions drawn = repair(room->points);
+    if (drawn.empty()) continue;
+    if (!wallsHere.empty()) {
+      // A narrow gap between the drawn outline and a wall is closed.
+      const Regions closed = buffer(buffer(unite(drawn, wallsHere), kGap), -kGap);
+      drawn = unite(drawn, intersect(closed, buffer(drawn, 2 * kGap)));
+      drawn = subtract(drawn, wallsHere);
+    }
+    r.plan = withoutSlivers(std::move(drawn));
+    if (!r.plan.empty()) rooms_.push_back(std::move(r));
+  }
+  layFloors();
+  layDoorsteps();
+  findCeilings();
+}
+
+void RoomBuilder::layFloors() {
+  for (std::size_t s = 0; s < storeys_.size(); ++s) {
+    double reach = kUnderWall;
+    for (const WallSolid& wall : walls_) {
+      if (wall.storey == s) reach = std::min(reach, 0.4 * wall.wall->thickness);
+    }
+    Regions holes;
+    for (const StairHole& hole : holes_) {
+      const double z = storeys_[s].elevation;
+      if (hole.bottom < z - 0.05 && hole.top >= z - 0.05) holes = unite(holes, hole.region);
+    }
+    // Of rooms that overlap the later one shows.
+    Regions taken = holes;
+    for (auto room = rooms_.rbegin(); room != rooms_.rend(); ++room) {
+      if (room->storey != s || !room->room->floorVisible) continue;
+      room->floor = withoutSlivers(subtract(room->plan, taken));
+      taken = unite(taken, room->floor);
+    }
+    if (wallPlans_[s].empty()) continue;
+    for (auto room = rooms_.rbegin(); room != rooms_.rend(); ++room) {
+      if (room->storey != s || room->floor.empty()) continue;
+      const Regions more = withoutSlivers(subtract(margin(room->floor, wallPlans_[s], reach), taken));
+      room->floor = unite(room->floor, more);
+      taken = unite(taken, more);
+    }
+  }
+}
+
+// The floor goes on through doors: to the middle of the wall from either side.
+void RoomBuilder::layDoorsteps() {
+  for (const WallSolid& wall : walls_) {
+    for (const WallCut& cut : cutsOf(wall, openings_)) {
+      const OpeningCut& o = *cut.opening;
+      if (!o.atFloor || o.storey != wall.storey) continue;
+      const double u0 = o.box.min.x - 0.003, u1 = o.box.max.x + 0.003, middle = (u0 + u1) / 2;
+      double low = 0, high = 0;
+      if (!wallSpanAt(wall, o, middle, low, high)) continue;
+      const auto roomAt = [&](double v) -> Room* {
+        for (auto room = rooms_.rbegin(); room != rooms_.rend(); ++room) {
+          if (room->storey == wall.storey && room->room->floorVisible &&
+              inside(room->plan, o.plan(middle, v))) {
+            return &*room;
+          }
+        }
+        return nullptr;
+      };
+      Room* before = roomAt(low - 0.05);
+      Room* behind = roomAt(high + 0.05);
+      if (!before) before = behind;
+      if (!behind) behind = before;
+      if (!before) continue;
+      const double half = (low + high) / 2, reach = high - low + 0.5;
+      const auto lay = [&](Room& room, double v0, double v1) {
+        Regions step = intersect({{wall.polygon, {}}},
+                                 {{{o.plan(u0, v0), o.plan(u1, v0), o.plan(u1, v1), o.plan(u0, v1)}, {}}});
+        for (const Room& other : rooms_) {
+          if (other.storey == wall.storey && !other.floor.empty()) step = subtract(step, other.floor);
+        }
+        step = withoutSlivers(std::move(step));
+        room.doorsteps.insert(room.doorsteps.end(), step.begin(), step.end());
+      };
+      if (before == behind) {
+        lay(*before, low - reach, high + reach);
+      } else {
+        lay(*before, low - reach, half);
+        lay(*behind, half, high + reach);
+      }
+    }
+  }
+}
+
+bool RoomBuilder::touchesSlope(const Room& room) const {
+  const auto& points = room.room->points;
+  for (const WallSolid& wall : walls_) {
+    if (wall.storey != room.storey || wall.flatTop()) continue;
+    int near = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 a = points[i], b = points[(i + 1) % points.size()];
+      if (distanceToWall(wall, a) < kNearWall) ++near;
+      if (distanceToWall(wall, (a + b) / 2) < kNearWall) ++near;
+    }
+    if (near >= 2) return true;
+  }
+  return false;
+}
+
+// The commonest height of the walls around it, by their length; parapets do not count.
+double RoomBuilder::flatCeiling(const Room& room) const {
+  const Storey& storey = storeys_[room.storey];
+  std::map<double, double> lengths;
+  const auto& points = room.room->points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 a = points[i], b = points[(i + 1) % points.size()];
+    const int steps = std::clamp(static_cast<int>(length(b - a) / 0.25), 1, 200);
+    for (int k = 0; k < steps; ++k) {
+      const Vec2 p = a + (b - a) * ((k + 0.5) / steps);
+      const WallSolid* nearest = nullptr;
+      double distance = kNearWall;
+      for (const WallSolid& wall : walls_) {
+        if (wall.storey != room.storey || fullHeight(wall) < kLowestFullWall) continue;
+        if (p.x < wall.box.min.x - kNearWall || p.x > wall.box.max.x + kNearWall ||
+            p.y < wall.box.min.y - kNearWall || p.y > wall.box.max.y + kNearWall) {
+          continue;
+        }
+        const double d = distanceToWall(wall, p);
+        if (d < distance) distance = d, nearest = &wall;
+      }
+      if (nearest) {
+        const double height = std::round((nearest->topAt(p) - storey.elevation) * 1000) / 1000;
+        lengths[height] += length(b - a) / steps;
+      }
+    }
+  }
+  double height = storey.height, longest = 0;
+  for (const auto& [h, l] : lengths) {
+    if (l > longest + 1e-6) longest = l, height = h;
+  }
+  double z = storey.elevation + height;
+  // Never through the slab of a floor above.
+  for (std::size_t s = room.storey + 1; s < storeys_.size(); ++s) {
+    const double under = storeys_[s].elevation - storeys_[s].floorThickness;
+    if (under > storey.elevation + 1.5 && under < z) {
+      for (const Room& above : rooms_) {
+        if (above.storey == s && !above.floor.empty() && area(intersect(above.plan, room.plan)) > 0.01)
+          z = under;
+      }
+    }
+  }
+  return z - kBelowSlab;
+}
+
+void RoomBuilder::findCeilings() {
+  for (Room& room : rooms_) {
+    room.sloped = !room.room->ceilingFlat && touchesSlope(room);
+    room.ceiling = flatCeiling(room);
+  }
+}
+
+Regions RoomBuilder::ceilingRegion(std::size_t index) const {
+  const Room& room = rooms_[index];
+  const Regions walls = wallPlan(walls_, room.storey, room.ceiling - 0.1);
+  Regions region = repair(room.room->points);
+  if (!walls.empty()) region = subtract(unite(region, room.plan), walls);
+  double reach = kUnderWall;
+  for (const WallSolid& wall : walls_) {
+    if (wall.storey == room.storey) reach = std::min(reach, 0.4 * wall.wall->thickness);
+  }
+  if (!walls.empty()) region = unite(region, margin(region, walls, reach));
+  for (const StairHole& hole : holes_) {
+    const bool goesOn = storeys_.size() > room.storey + 1 && hole.bottom < room.ceiling - 0.05 &&
+                        hole.top >= room.ceiling - 0.05;
+    if (goesOn) region = subtract(region, hole.region);
+  }
+  for (std::size_t j = index + 1; j < rooms_.size(); ++j) {
+    const Room& other = rooms_[j];
+    if (other.storey == room.storey && other.room->ceilingVisible && !other.sloped &&
+        std::abs(other.ceiling - room.ceiling) < 1e-3) {
+      region = subtract(region, other.plan);
+    }
+  }
+  return withoutSlivers(std::move(region));
+}
+
+void RoomBuilder::addSlopedCeiling(const Room& room, MeshSink& sink) const {
+  const double flat = room.ceiling + kBelowSlab;
+  // The height over a corner: that of the lowest wall there, but for parapets beside higher walls.
+  const auto heightAt = [&](Vec2 p) {
+    double sloped = 1e300, lowest = 1e300;
+    for (const WallSolid& wall : walls_) {
+      if (wall.storey != room.storey || distanceToWall(wall, p) > kNearWall) continue;
+      const double top = wall.topAt(p);
+      if (!wall.flatTop()) sloped = std::min(sloped, top);
+    }
+    for (const WallSolid& wall : walls_) {
+      if (wall.storey != room.storey || distanceToWall(wall, p) > kNearWall) continue;
+      const double top = wall.topAt(p);
+      const bool parapet = sloped < 1e300 ? top < sloped - 0.5 : wall.flatTop() && fullHeight(wall) < 0.5;
+      if (!parapet) lowest = std::min(lowest, top);
+    }
+    return (lowest < 1e300 ? lowest : flat) - kBelowSlab;
+  };
+  // Ridges end where walls meet along the outline.
+  std::vector<Vec2> breaks;
+  for (const WallSolid& wall : walls_) {
+    if (wall.storey != room.storey) continue;
+    breaks.push_back(wall.wall->start);
+    breaks.push_back(wall.wall->end);
+  }
+  const Regions outline = repair(room.room->points);
+  for (const Region& region : outline) {
+    const Mesh3 mesh = slopedCeiling(region.outer, breaks, heightAt);
+    for (const auto& t : mesh.triangles) {
+      const Vec3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+      const Vec3 across = cross(c - a, b - a);
+      if (length(across) < 1e-12) continue;
+      const Vec3 n = normalized(across);  // looks down
+      const auto i = sink.vertex({a, n, {a.x, a.y}});
+      sink.vertex({c, n, {c.x, c.y}});
+      sink.vertex({b, n, {b.x, b.y}});
+      sink.triangle(i, i + 1, i + 2, kRoomCeiling);
+    }
+  }
+}
+
+std::shared_ptr<const Mesh> RoomBuilder::build(std::size_t index, Vec3 centre) const {
+  const Room& room = rooms_[index];
+  const Storey& storey = storeys_[room.storey];
+  MeshSink sink(centre);
+  if (!room.floor.empty()) {
+    sink.horizontal(room.floor, storey.elevation, true, kRoomFloor);
+    if (storey.floorThickness > 1e-4) {
+      const double under = storey.elevation - storey.floorThickness;
+      sink.horizontal(room.floor, under, false, kRoomUnderside);
+      sink.sides(room.floor, under, storey.elevation, kRoomUnderside);
+    }
+  }
+  if (!room.doorsteps.empty()) sink.horizontal(room.doorsteps, storey.elevation, true, kRoomFloor);
+  if (ceilings_ && room.room->ceilingVisible) {
+    if (room.sloped) {
+      addSlopedCeiling(room, sink);
+    } else {
+      sink.horizontal(ceilingRegion(index), room.ceiling, false, kRoomCeiling);
+    }
+  }
+  return sink.empty() ? nullptr : sink.take();
+}
+
+bool RoomBuilder::isIndoors(std::size_t storey, Vec2 point) const {
+  for (const Room& room : rooms_) {
+    if (room.storey == storey && room.room->ceilingVisible && inside(room.plan, point)) return true;
+    // Below the floor of a room further up.
+    if (room.storey > storey && !room.floor.empty() && inside(room.floor, point)) return true;
+    // An open gallery: a ceiling over it further up.
+    if (room.storey > storey && room.room->ceilingVisible && inside(room.plan, point)) return true;
+  }
+  return false;
+}
+
+std::optional<double> RoomBuilder::ceilingOver(std::size_t storey, Vec2 point) const {
+  for (const Room& room : rooms_) {
+    if (room.storey == storey && room.room->ceilingVisible && !room.sloped && inside(room.plan, point)) {
+      return room.ceiling;
+    }
+  }
+  return std::nullopt;
+}
+
+Regions RoomBuilder::footprint(std::size_t storey) const {
+  Regions result = wallPlans_[storey];
+  for (const Room& room : rooms_) {
+    if (room.storey == storey && !room.floor.empty()) result = unite(result, room.floor);
+  }
+  return result;
+}
+
+}  // namespace idap

@@ -1,0 +1,66 @@
+// Floors, slabs, doorsteps and ceilings of the rooms. World space, metres.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "scene/mesh_sink.h"
+#include "scene/opening_cut.h"
+
+namespace idap {
+
+enum RoomSlot : std::uint32_t { kRoomFloor, kRoomCeiling, kRoomUnderside, kRoomSlots };
+
+// A hole that a staircase needs in the floors and ceilings it passes.
+struct StairHole {
+  Regions region;
+  double bottom = 0, top = 0;  // world heights of the staircase
+};
+std::vector<StairHole> stairHoles(const Home& home, const std::vector<Storey>& storeys);
+
+class RoomBuilder {
+ public:
+  RoomBuilder(const Home& home, const std::vector<Storey>& storeys, const std::vector<WallSolid>& walls,
+              const std::vector<OpeningCut>& openings, bool ceilings);
+
+  struct Room {
+    RoomId id;
+    std::shared_ptr<const idap::Room> room;
+    std::size_t storey = 0;
+    Regions plan;        // as drawn, repaired, without the walls
+    Regions floor;       // what its floor covers: also a little under the walls; empty: no floor
+    Regions doorsteps;   // floor in the openings beside it
+    double ceiling = 0;  // world height of a flat ceiling
+    bool sloped = false;
+  };
+  const std::vector<Room>& rooms() const { return rooms_; }
+
+  // The mesh of rooms()[index], relative to centre; null when it shows nothing.
+  std::shared_ptr<const Mesh> build(std::size_t index, Vec3 centre) const;
+
+  // True where the point of the plan lies in a room of the storey that has something over it.
+  bool isIndoors(std::size_t storey, Vec2 point) const;
+  // World height of the flat ceiling over a point of the storey, if there is one.
+  std::optional<double> ceilingOver(std::size_t storey, Vec2 point) const;
+  // The floor plan of a storey together with its walls; for what must not be covered by the ground.
+  Regions footprint(std::size_t storey) const;
+
+ private:
+  void layFloors();
+  void layDoorsteps();
+  void findCeilings();
+  double flatCeiling(const Room& room) const;
+  bool touchesSlope(const Room& room) const;
+  Regions ceilingRegion(std::size_t index) const;
+  void addSlopedCeiling(const Room& room, MeshSink& sink) const;
+
+  const std::vector<Storey>& storeys_;
+  const std::vector<WallSolid>& walls_;
+  const std::vector<OpeningCut>& openings_;
+  std::vector<StairHole> holes_;
+  std::vector<Room> rooms_;
+  std::vector<Regions> wallPlans_;  // by storey
+  bool ceilings_;
+};
+
+}  // namespace idap
