@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "light/daylight.h"
 #include "light/sun_position.h"
 #include "scene/furniture_builder.h"
 #include "scene/wall_builder.h"
@@ -247,7 +248,9 @@ class Build {
     const SunPosition sun = sunPosition(site.latitude, site.longitude, options_.time.value_or(site.time));
     DaylightConditions conditions;
     conditions.sunDirection = sunDirection(sun, site.north);
-    conditions.weather = options_.weather;
+    conditions.weather = options_.cloudiness < 0.34   ? Weather::Clear
+                         : options_.cloudiness < 0.75 ? Weather::Partly
+                                                      : Weather::Overcast;
     if (home_.environment.ground.color && !home_.environment.ground.texture) {
       const Color& c = *home_.environment.ground.color;
       conditions.groundAlbedo = std::clamp(

@@ -11,7 +11,6 @@
 
 #include "base/progress.h"
 #include "catalog/catalog.h"
-#include "light/daylight.h"
 #include "model/home.h"
 #include "render/scene.h"
 
@@ -28,7 +27,7 @@ struct BuildOptions {
   bool ground = true;    // the land around the house
   LampPolicy lamps = LampPolicy::Auto;
   std::optional<std::int64_t> time;  // ms since 1970 (UTC); none: the home's own
-  Weather weather = Weather::Clear;
+  double cloudiness = 0;             // 0 clear .. 1 overcast
 };
 
 // What an object id in the film stands for; monostate: the ground.
