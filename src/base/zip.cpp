@@ -89,6 +89,8 @@ void ZipReader::open(zip_source* source, zip_error* opening) {
     if (leavesArchive(name)) throw ParseError(impl_->fileName, name, "the entry's path leaves the archive");
     const std::size_t size = (info.valid & ZIP_STAT_SIZE) ? info.size : 0;
     const std::size_t packed = (info.valid & ZIP_STAT_COMP_SIZE) ? info.comp_size : 0;
+    // A claim that would make room for more than the archive can hold is not believed.
+    if (packed > impl_->archive->size()) throw ParseError(impl_->fileName, name, "the entry is damaged");
     if (size > limits.maxEntryBytes) throw ParseError(impl_->fileName, name, "the entry is too large");
     if (size > (std::size_t{1} << 20) &&
         static_cast<double>(size) > limits.maxRatio * static_cast<double>(packed + 1))
@@ -106,6 +108,16 @@ ZipReader& ZipReader::operator=(ZipReader&&) noexcept = default;
 
 const std::vector<std::string>& ZipReader::entries() const { return impl_->names; }
 bool ZipReader::contains(const std::string& entry) const { return impl_->index.contains(entry); }
+
+std::size_t ZipReader::size(const std::string& entry) const {
+  const auto found = impl_->index.find(entry);
+  if (found == impl_->index.end()) throw ParseError(impl_->fileName, entry, "no such entry");
+  const std::lock_guard lock(impl_->mutex);
+  zip_stat_t info;
+  if (zip_stat_index(impl_->zip, found->second, 0, &info) != 0)
+    throw ParseError(impl_->fileName, entry, zip_strerror(impl_->zip));
+  return info.size;
+}
 
 Bytes ZipReader::read(const std::string& entry) const {
   const auto found = impl_->index.find(entry);

@@ -34,6 +34,7 @@ class ZipReader {
 
   const std::vector<std::string>& entries() const;  // files only, in archive order
   bool contains(const std::string& entry) const;
+  std::size_t size(const std::string& entry) const;  // unpacked, as the archive claims
   Bytes read(const std::string& entry) const;
 
  private:

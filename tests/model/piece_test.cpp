@@ -53,7 +53,8 @@ TEST(Piece, FootprintRunsCounterClockwiseFromFrontLeft) {
   EXPECT_NEAR(corners[1].x, 1.8, 1e-12);
   EXPECT_NEAR(corners[2].y, 2, 1e-12);
   bed.angle = 0.7;
-  EXPECT_NEAR(signedArea({footprint(bed).begin(), footprint(bed).end()}), 3.2, 1e-12);
+  const auto turned = footprint(bed);
+  EXPECT_NEAR(signedArea({turned.begin(), turned.end()}), 3.2, 1e-12);
 }
 
 TEST(Home, HiddenLevelsAndGroupsHideWhatIsInThem) {
