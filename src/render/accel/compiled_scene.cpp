@@ -291,6 +291,8 @@ std::uint32_t CompiledScene::surfaceOfSlot(std::uint32_t i, std::uint32_t slot) 
   return accel_->instances[i].surfaces[slot];
 }
 
+RTCSceneTy* CompiledScene::embreeScene() const { return accel_->top.get(); }
+
 void CompiledScene::setTransform(std::uint32_t instance, const Transformf& transform) {
   if (instance >= accel_->instances.size()) throw RenderError(fmt::format("no instance {}", instance));
   accel_->place(instance, transform);
@@ -306,6 +308,8 @@ void CompiledScene::commit() {
 }
 
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool coherent) const {
+  if (log_) [[unlikely]]
+    log_->push_back({ray, mask, false, coherent});
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
@@ -341,6 +345,8 @@ bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool
 }
 
 Rgb CompiledScene::transmittance(const Ray& ray) const {
+  if (log_) [[unlikely]]
+    log_->push_back({ray, kSeenByLight, true, false});
   ShadowContext context;
   rtcInitIntersectContext(&context.embree);
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;

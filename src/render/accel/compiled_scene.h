@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "render/accel/interaction.h"
 #include "render/accel/ray.h"
 #include "render/material/surface_data.h"
 #include "render/scene.h"
+
+struct RTCSceneTy;  // Embree's RTCScene points to it
 
 namespace idap::render {
 
@@ -60,12 +63,19 @@ class CompiledScene {
   // The surface point of a hit on an instance (not on a lamp).
   Interaction interaction(const Ray& ray, const Hit& hit) const;
 
+  // For measuring and debugging. Every ray traced is appended to the log until it is null again; with a log,
+  // trace from one thread only. The top level is for nearest hits, and for shadow rays where nothing lets
+  // light through.
+  void setLog(std::vector<LoggedRay>* log) { log_ = log; }
+  RTCSceneTy* embreeScene() const;
+
  private:
   struct Accel;
   std::shared_ptr<const Scene> scene_;
   std::unique_ptr<Accel> accel_;
   std::unique_ptr<Lights> lights_;
   CompileStats stats_;
+  std::vector<LoggedRay>* log_ = nullptr;
   Vec3f centre_;
   float radius_ = 1.0f;
 };

@@ -37,4 +37,12 @@ struct Hit {
   bool isLamp() const { return lamp != kNone; }
 };
 
+// A ray as it was handed to Embree, for measuring and debugging.
+struct LoggedRay {
+  Ray ray;
+  std::uint32_t mask = 0;
+  bool shadow = false;
+  bool coherent = false;
+};
+
 }  // namespace idap::render

@@ -1,0 +1,199 @@
+// How much of its time the renderer spends outside Embree: renders a furnished room by path tracing on one
+// thread, then has bare Embree trace the very same rays (nearest hits and shadow rays, in the same order),
+// and prints both rates and their ratio. Usage: bench_ray_rate [samples a pixel]
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "render/accel/compiled_scene.h"
+#include "render/session/render_job.h"
+
+namespace {
+
+using namespace idap;
+using namespace idap::render;
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// A surface of revolution around z with a wavy radius, so that its triangles are of many shapes.
+Mesh vase(float radius, float height, int rings, int sectors, float waves) {
+  Mesh m;
+  for (int i = 0; i <= rings; ++i)
+    for (int k = 0; k <= sectors; ++k) {
+      const float t = static_cast<float>(i) / static_cast<float>(rings);
+      const float a = 2 * static_cast<float>(kPi) * static_cast<float>(k) / static_cast<float>(sectors);
+      const float r = radius * (0.15f + std::sin(static_cast<float>(kPi) * t)) *
+                      (1 + 0.08f * std::sin(waves * a + 9 * t));
+      m.positions.push_back({r * std::cos(a), r * std::sin(a), t * height});
+    }
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < sectors; ++k) {
+      const auto a = static_cast<std::uint32_t>(i * (sectors + 1) + k),
+                 b = a + static_cast<std::uint32_t>(sectors) + 1;
+      m.triangles.push_back({a, a + 1, b});
+      m.triangles.push_back({a + 1, b + 1, b});
+    }
+  computeSmoothNormals(m, 1.0f);
+  return m;
+}
+
+Mesh box(Vec3f a, Vec3f b) {
+  Mesh m;
+  for (unsigned i = 0; i < 8; ++i)
+    m.positions.push_back({i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z});
+  m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return m;
+}
+
+// A room of 6 x 5 x 2.6 m with a table, six chairs, shelves full of things, a window and nine lamps.
+std::shared_ptr<const Scene> furnishedRoom() {
+  auto scene = std::make_shared<Scene>();
+  const auto surface = [&](Rgb color, float roughness, float metalness = 0, Rgb emission = {}) {
+    Surface s;
+    s.baseColor = color;
+    s.roughness = roughness;
+    s.metalness = metalness;
+    s.emission = emission;
+    scene->surfaces.push_back(s);
+    return static_cast<std::uint32_t>(scene->surfaces.size() - 1);
+  };
+  const std::uint32_t white = surface({0.75f, 0.74f, 0.7f}, 0.9f), oak = surface({0.45f, 0.3f, 0.18f}, 0.4f),
+                      blue = surface({0.15f, 0.25f, 0.5f}, 0.6f), clay = surface({0.6f, 0.3f, 0.2f}, 0.3f),
+                      steel = surface({0.8f, 0.8f, 0.8f}, 0.3f, 1),
+                      glow = surface({0.8f, 0.8f, 0.8f}, 0.9f, 0, {6000, 5000, 3500});
+  const auto mesh = [&](Mesh m) {
+    scene->meshes.push_back(std::make_shared<Mesh>(std::move(m)));
+    return static_cast<std::uint32_t>(scene->meshes.size() - 1);
+  };
+  const auto put = [&](std::uint32_t m, std::uint32_t s, Transformf t) {
+    Instance i;
+    i.mesh = m;
+    i.surfaces = {s};
+    i.transform = t;
+    scene->instances.push_back(i);
+  };
+  const auto block = [&](Vec3f a, Vec3f b, std::uint32_t s) { put(mesh(box(a, b)), s, {}); };
+  block({-3, -2.5f, -0.2f}, {3, 2.5f, 0}, oak);
+  block({-3, -2.5f, 2.6f}, {3, 2.5f, 2.8f}, white);
+  block({-3.2f, -2.5f, 0}, {-3, 2.5f, 2.6f}, white);
+  block({-3, -2.7f, 0}, {3, -2.5f, 2.6f}, white);
+  block({-3, 2.5f, 0}, {3, 2.7f, 2.6f}, white);
+  block({3, -2.5f, 0}, {3.2f, 2.5f, 0.9f}, white);
+  block({3, -2.5f, 2.2f}, {3.2f, 2.5f, 2.6f}, white);
+  block({3, -2.5f, 0.9f}, {3.2f, -1, 2.2f}, white);
+  block({3, 1, 0.9f}, {3.2f, 2.5f, 2.2f}, white);
+  block({-0.9f, -0.5f, 0.72f}, {0.9f, 0.5f, 0.75f}, oak);
+
+  const std::uint32_t chair = mesh(vase(0.28f, 0.9f, 120, 100, 6)), jug = mesh(vase(0.09f, 0.3f, 70, 60, 3)),
+                      plant = mesh(vase(0.4f, 1.2f, 160, 160, 17)),
+                      bulb = mesh(vase(0.06f, 0.12f, 10, 12, 0));
+  const auto at = [](float x, float y, float z, float turn) {
+    return Transformf::translation({x, y, z}) * Transformf::rotationZ(turn);
+  };
+  for (int i = 0; i < 6; ++i)
+    put(chair, i % 2 ? blue : oak,
+        at(static_cast<float>(i % 3) * 0.8f - 0.8f, i < 3 ? -0.9f : 0.9f, 0, static_cast<float>(i)));
+  for (int shelf = 0; shelf < 5; ++shelf) {
+    const float z = 0.3f + 0.4f * static_cast<float>(shelf);
+    block({-2.9f, 2.1f, z - 0.02f}, {1, 2.5f, z}, oak);
+    for (int i = 0; i < 14; ++i)
+      put(jug, (i + shelf) % 3 == 0 ? steel : clay,
+          at(-2.75f + 0.28f * static_cast<float>(i), 2.3f, z, static_cast<float>(i * shelf)));
+  }
+  put(plant, blue, at(2.3f, 1.8f, 0, 0));
+  put(plant, clay, at(-2.4f, -1.9f, 0, 1));
+  for (int i = 0; i < 9; ++i)
+    put(bulb, glow, at(static_cast<float>(i % 3) * 2 - 2, static_cast<float>(i / 3) * 1.6f - 1.6f, 2.4f, 0));
+  scene->sun = {normalized(Vec3f{0.8f, 0.3f, 0.5f}), {60000, 55000, 45000}};
+  scene->sky = {16, 8, std::vector<Rgb>(128, Rgb{3000, 3500, 4500})};
+  scene->portals.push_back({{3.1f, -1, 0.9f}, {0, 2, 0}, {0, 0, 1.3f}});
+  return scene;
+}
+
+// Bare Embree over the log; nearest hits and occlusion, nothing done with the results but a checksum.
+double replay(RTCScene scene, const std::vector<LoggedRay>& rays, std::uint64_t& hits) {
+  const auto start = Clock::now();
+  for (const LoggedRay& logged : rays) {
+    const Ray& ray = logged.ray;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags =
+        logged.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    RTCRayHit r;
+    r.ray = {ray.origin.x,
+             ray.origin.y,
+             ray.origin.z,
+             ray.tMin,
+             ray.direction.x,
+             ray.direction.y,
+             ray.direction.z,
+             0.0f,
+             ray.tMax,
+             logged.mask,
+             0u,
+             0u};
+    if (logged.shadow) {
+      rtcOccluded1(scene, &context, &r.ray);
+      hits += r.ray.tfar < 0;
+    } else {
+      r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene, &context, &r);
+      hits += r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+  }
+  return since(start);
+}
+
+void measure(const char* name, const std::shared_ptr<const Scene>& scene, const Camera& camera, int spp) {
+  CompiledScene compiled(scene);
+  const CompileStats& build = compiled.stats();
+  std::printf("%s: %.0f k triangles (%.0f k instanced), built in %.3f s, %.1f MB\n", name,
+              static_cast<double>(build.uniqueTriangles) / 1e3,
+              static_cast<double>(build.instancedTriangles) / 1e3, build.seconds,
+              static_cast<double>(build.embreeBytes) / 1e6);
+
+  RenderSettings settings{.width = 200, .height = 150, .spp = spp, .threads = 1};
+  std::vector<LoggedRay> log;
+  {
+    Film film(settings.width, settings.height);
+    compiled.setLog(&log);
+    idap::render::render(compiled, camera, settings, film);
+    compiled.setLog(nullptr);
+  }
+  std::size_t shadows = 0;
+  for (const LoggedRay& ray : log) shadows += ray.shadow;
+
+  // Turn about, the best of three each, so that other work on the machine weighs on neither side.
+  double full = 1e9, bare = 1e9;
+  std::uint64_t hits = 0;
+  for (int round = 0; round < 3; ++round) {
+    Film film(settings.width, settings.height);
+    full = std::min(full, idap::render::render(compiled, camera, settings, film).seconds);
+    bare = std::min(bare, replay(compiled.embreeScene(), log, hits));
+  }
+  const auto count = static_cast<double>(log.size());
+  std::printf("  %.2f M rays, %.0f %% of them shadow rays; checksum %llu\n", count / 1e6,
+              100 * static_cast<double>(shadows) / count, static_cast<unsigned long long>(hits));
+  std::printf("  bare Embree   %.3f s  %.2f M rays/s\n", bare, count / bare / 1e6);
+  std::printf("  path tracing  %.3f s  %.2f M rays/s\n", full, count / full / 1e6);
+  std::printf("  ratio         %.1f %%\n", 100 * bare / full);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int spp = argc > 1 ? std::max(1, std::atoi(argv[1])) : 4;
+  Camera camera;
+  camera.eye = {2.6f, -2.2f, 1.5f};
+  camera.forward = normalized(Vec3f{-1, 0.85f, -0.15f});
+  camera.up = normalized(cross(cross(camera.forward, Vec3f{0, 0, 1}), camera.forward));
+  measure("furnished room", furnishedRoom(), camera, spp);
+  return 0;
+}
