@@ -13,7 +13,7 @@ namespace {
 
 // Share of what a clear day gives level ground (sun and sky) that comes through closed cloud, and through the
 // scattered clouds of a partly cloudy sky besides the clear part: the former gives 300 + 21000 sin(altitude)
-// lux within a third @cite krochmann1979daylight.
+// lux within a third @cite krochmann1974daylight.
 constexpr double kCloudShare = 0.2, kPartlyCloudShare = 0.15;
 constexpr double kPartlySun = 0.8, kPartlyClear = 0.6;
 constexpr double kDarkestSun = -0.31;  // sine of 18 degrees under the horizon: night
