@@ -212,12 +212,12 @@ void shellChair(Builder& b, const Parameters& p) {
                       (1.0 - 0.14 * std::exp(-std::pow((v - 0.56) / 0.16, 2)) -
                        (v > 0.62 ? 0.16 * (v - 0.62) / 0.38 : 0));
         if (arms) half = 0.5 * w * (1 - 0.12 * std::pow(edge, 4));
-        half *= 0.62 + 0.38 * std::sqrt(std::max(0.0, 1 - std::pow(edge, 9)));
+        half *= 0.76 + 0.24 * std::sqrt(std::max(0.0, 1.02 - std::pow(edge, 6)));
         const double rise = 0.035 * (1 - v) + (arms ? 0.2 * std::exp(-std::pow((v - 0.5) / 0.17, 2))
                                                     : 0.035 * std::exp(-std::pow((v - 0.5) / 0.2, 2)));
         const double wrap = (v > 0.45 ? 0.09 : 0) * std::min(1.0, (v - 0.45) / 0.3);
         const double c = std::pow(std::abs(s), 2.4);
-        return Vec3{s * half, q.x - wrap * c, q.z + rise * c - (v > 0.97 ? 0.03 * c : 0)};
+        return Vec3{s * half, q.x - wrap * c, q.z + rise * c - 0.05 * c * std::pow(v, 8)};
       },
       20, 32, 0.007);
   const double under = seat - 0.045;
@@ -295,7 +295,7 @@ void diningChair(Builder& b, const Parameters& p) {
   const double thick = 0.075, y = b.back() - thick - std::sin(angle) * tall + 0.012;
   Soft soft{.radius = 0.034, .crown = 0.016};
   if (p.flag("buttons"))
-    soft.tuftColumns = std::max(2, fitting(2 * w, 0.15)), soft.tuftRows = 3, soft.tuftDepth = 0.014;
+    soft.tuftColumns = std::max(2, fitting(2 * w, 0.15)), soft.tuftRows = 3, soft.tuftDepth = 0.02;
   leaningCushion(b, {-w + 0.006, y, seat - 0.06}, {w - 0.006, y + thick, seat - 0.06 + tall}, angle, soft,
                  !p.flag("buttons"));
 }

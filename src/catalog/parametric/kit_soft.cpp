@@ -65,7 +65,7 @@ void Builder::cushion(Vec3 min, Vec3 max, const Soft& soft) {
     if (tufted && i == tuftV) n = std::max(n, 6 * soft.tuftRows);
     cells[static_cast<std::size_t>(i)] = n;
   }
-  Mesh part = roundedBoxGrid(min, max, soft.radius, tufted ? 2 : 3, cells, size.x >= size.y ? 0 : 1);
+  Mesh part = roundedBoxGrid(min, max, soft.radius, 2, cells, size.x >= size.y ? 0 : 1);
   const Vec3 half = size * 0.5;
   const double crown = std::min(soft.crown, 0.9 * half[thin]);
   for (Vec3f& position : part.positions) {
@@ -80,7 +80,9 @@ void Builder::cushion(Vec3 min, Vec3 max, const Soft& soft) {
       p[u] *= 1 - 0.07 * even(q[u], 2) * (1 - even(q[v], 2));
       p[v] *= 1 - 0.07 * even(q[v], 2) * (1 - even(q[u], 2));
     } else {
-      p[thin] *= 1 - crown / half[thin] * (1 - rim);
+      // The hidden face (under a seat, behind a back) is nearly flat.
+      const bool hidden = thin == 2 ? q.z < 0 : thin == 1 && q.y > 0;
+      p[thin] *= 1 - (hidden ? 0.25 : 1.0) * crown / half[thin] * (1 - rim);
       const double belly = 1 - q[thin] * q[thin];
       for (const int s : {u, v})
         p[s] *=
