@@ -7,13 +7,6 @@ namespace idap::render {
 
 namespace {
 
-float safeSqrt(float v) { return std::sqrt(std::max(v, 0.0f)); }
-
-// cos(max(0, a - b)) of two angles within 0..pi given by sine and cosine.
-float cosOfDifference(float sinA, float cosA, float sinB, float cosB) {
-  return cosA > cosB ? 1.0f : cosA * cosB + sinA * sinB;
-}
-
 float halfArea(const Box3f& b) {
   const Vec3f s = b.size();
   return s.x * s.y + s.y * s.z + s.z * s.x;
@@ -31,39 +24,6 @@ float orientationCost(const LightBounds& b) {
 }
 
 }  // namespace
-
-float LightBounds::importance(const Receiver& at) const {
-  const Vec3f toCentre = box.centre() - at.position;
-  const Vec3f size = box.size();
-  const float radius2 = 0.25f * dot(size, size);
-  const float distance2 = dot(toCentre, toCentre);
-  const Vec3f wi = toCentre * (1 / std::sqrt(std::max(distance2, 1e-12f)));
-
-  // Half the angle under which the box is seen.
-  const bool within = distance2 <= radius2;
-  const float sin2 = within ? 1.0f : radius2 / distance2;
-  const float sinBox = within ? 0.0f : std::sqrt(sin2);
-  const float cosBox = within ? -1.0f : safeSqrt(1 - sin2);
-
-  // The least angles that any of it may make with the light's axis and with the receiver's normal.
-  float cosAxis = -dot(axis, wi);
-  if (bothSides) cosAxis = std::fabs(cosAxis);
-  const float sinAxis = safeSqrt(1 - cosAxis * cosAxis);
-  const float sinSpread = safeSqrt(1 - cosSpread * cosSpread);
-  float cosLight = 1.0f;
-  if (cosSpread > -1.0f) {
-    const float cosA = cosOfDifference(sinAxis, cosAxis, sinSpread, cosSpread);
-    const float sinA = safeSqrt(1 - cosA * cosA);
-    cosLight = within ? 1.0f : cosOfDifference(sinA, cosA, sinBox, cosBox);
-    if (cosLight <= 0) return 0;
-  }
-  float cosReceiver = dot(at.normal, wi);
-  if (at.bothSides) cosReceiver = std::fabs(cosReceiver);
-  const float sinReceiver = safeSqrt(1 - cosReceiver * cosReceiver);
-  cosReceiver = within ? 1.0f : cosOfDifference(sinReceiver, cosReceiver, sinBox, cosBox);
-  if (cosReceiver <= 0) return 0;
-  return intensity * cosLight * cosReceiver / std::max(distance2, std::max(radius2, 1e-6f));
-}
 
 LightBounds join(const LightBounds& a, const LightBounds& b) {
   if (a.intensity <= 0 && a.box.empty()) return b;
@@ -99,22 +59,27 @@ LightBounds join(const LightBounds& a, const LightBounds& b) {
   return r;
 }
 
-LightTree::LightTree(std::span<const LightBounds> lights) : paths_(lights.size(), 0) {
-  if (lights.empty()) return;
-  std::vector<std::uint32_t> order(lights.size());
-  std::iota(order.begin(), order.end(), 0u);
-  nodes_.reserve(2 * lights.size());
-  build(lights, order, 0, 0);
-}
+// The binary tree that the wide one is folded from.
+struct LightTree::Builder {
+  struct Pair {
+    LightBounds bounds;
+    std::uint32_t left = 0, right = 0;  // right 0: a leaf, left is the light
+  };
+  std::span<const LightBounds> lights;
+  std::vector<Pair> pairs;
+  std::vector<Node>& nodes;
+  std::vector<std::uint32_t>& places;
 
-std::uint32_t LightTree::build(std::span<const LightBounds> lights, std::span<std::uint32_t> order,
-                               std::uint64_t path, int depth) {
-  const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
+  std::uint32_t split(std::span<std::uint32_t> order, int depth);
+  std::uint32_t fold(std::uint32_t pair, std::uint32_t parent);
+};
+
+std::uint32_t LightTree::Builder::split(std::span<std::uint32_t> order, int depth) {
+  const auto index = static_cast<std::uint32_t>(pairs.size());
+  pairs.emplace_back();
   if (order.size() == 1) {
-    nodes_[index].bounds = lights[order[0]];
-    nodes_[index].light = order[0];
-    paths_[order[0]] = path;
+    pairs[index].bounds = lights[order[0]];
+    pairs[index].left = order[0];
     return index;
   }
 
@@ -132,8 +97,8 @@ std::uint32_t LightTree::build(std::span<const LightBounds> lights, std::span<st
     const float x = (lights[i].box.centre()[axis] - centres.min[axis]) / extent[axis];
     return std::clamp(static_cast<int>(x * kBuckets), 0, kBuckets - 1);
   };
-  // Below this depth cut in the middle, so that a path fits its 64 bits.
-  for (int axis = 0; axis < 3 && depth < 32; ++axis) {
+  // Below this depth cut in the middle, lest odd sets of lights make a list of the tree.
+  for (int axis = 0; axis < 3 && depth < 40; ++axis) {
     if (!(extent[axis] > 0)) continue;
     LightBounds buckets[kBuckets];
     for (const std::uint32_t i : order) {
@@ -162,46 +127,136 @@ std::uint32_t LightTree::build(std::span<const LightBounds> lights, std::span<st
     middle = std::partition(order.begin(), order.end(),
                             [&](std::uint32_t i) { return bucketOf(i, bestAxis) < bestBucket; });
   const auto count = static_cast<std::size_t>(middle - order.begin());
-  build(lights, order.first(count), path, depth + 1);
-  const std::uint32_t right =
-      build(lights, order.subspan(count), path | (std::uint64_t{1} << depth), depth + 1);
-  nodes_[index].right = right;
-  nodes_[index].bounds = join(nodes_[index + 1].bounds, nodes_[right].bounds);
+  const std::uint32_t left = split(order.first(count), depth + 1);
+  const std::uint32_t right = split(order.subspan(count), depth + 1);
+  pairs[index].left = left;
+  pairs[index].right = right;
+  pairs[index].bounds = join(pairs[left].bounds, pairs[right].bounds);
   return index;
+}
+
+// Opens the strongest and widest of a node's children until there are eight.
+std::uint32_t LightTree::Builder::fold(std::uint32_t pair, std::uint32_t parent) {
+  std::vector<std::uint32_t> children{pair};
+  while (children.size() < kWidth) {
+    const auto weight = [&](std::uint32_t c) {
+      const LightBounds& b = pairs[c].bounds;
+      return pairs[c].right == 0 ? -1.0f : b.intensity * orientationCost(b) * (halfArea(b.box) + 1e-9f);
+    };
+    const auto widest = std::ranges::max_element(children, {}, weight);
+    if (pairs[*widest].right == 0) break;
+    const Pair& opened = pairs[*widest];
+    *widest = opened.left;
+    children.push_back(opened.right);
+  }
+
+  const auto index = static_cast<std::uint32_t>(nodes.size());
+  nodes.emplace_back();  // zeroes: no intensity, no child
+  nodes[index].parent = parent;
+  for (std::uint32_t k = 0; k < children.size(); ++k) {
+    const Pair& c = pairs[children[k]];
+    Node& node = nodes[index];
+    const Vec3f centre = c.bounds.box.centre(), size = c.bounds.box.size();
+    node.x[k] = centre.x, node.y[k] = centre.y, node.z[k] = centre.z;
+    node.radius2[k] = 0.25f * dot(size, size);
+    node.axisX[k] = c.bounds.axis.x, node.axisY[k] = c.bounds.axis.y, node.axisZ[k] = c.bounds.axis.z;
+    node.cosSpread[k] = c.bounds.cosSpread;
+    node.sinSpread[k] = std::sqrt(std::max(0.0f, 1 - c.bounds.cosSpread * c.bounds.cosSpread));
+    node.intensity[k] = c.bounds.intensity;
+    node.bothSides[k] = c.bounds.bothSides ? 1.0f : 0.0f;
+    const std::uint32_t place = index * kWidth + k;
+    if (c.right == 0) {
+      node.child[k] = c.left | kLeaf;
+      places[c.left] = place;
+    } else {
+      const std::uint32_t child = fold(children[k], place);
+      nodes[index].child[k] = child;
+    }
+  }
+  return index;
+}
+
+LightTree::LightTree(std::span<const LightBounds> lights) : places_(lights.size(), 0) {
+  if (lights.empty()) return;
+  std::vector<std::uint32_t> order(lights.size());
+  std::iota(order.begin(), order.end(), 0u);
+  Builder builder{lights, {}, nodes_, places_};
+  builder.pairs.reserve(2 * lights.size());
+  builder.fold(builder.split(order, 0), kNoParent);
+}
+
+// For each child: intensity times the largest cosines that any part of it can make at the light and at the
+// receiver, over the squared distance. Written without branches, for the vectorizer.
+void LightTree::judge(const Node& node, const Receiver& at, float (&importance)[kWidth]) {
+  const float px = at.position.x, py = at.position.y, pz = at.position.z;
+  const float nx = at.normal.x, ny = at.normal.y, nz = at.normal.z;
+  const float behind = at.bothSides ? 1.0f : 0.0f;
+  for (int k = 0; k < kWidth; ++k) {
+    const float x = node.x[k] - px, y = node.y[k] - py, z = node.z[k] - pz;
+    const float d2 = std::max(x * x + y * y + z * z, 1e-12f);
+    const float inverse = 1 / std::sqrt(d2);
+    // Half the angle under which the child is seen; from within it is all around.
+    const float sin2 = std::min(node.radius2[k] / d2, 1.0f);
+    const float cosBox = node.radius2[k] >= d2 ? -1.0f : std::sqrt(1 - sin2);
+    const float sinBox = node.radius2[k] >= d2 ? 0.0f : std::sqrt(sin2);
+
+    // cos(max(0, angle to the axis - spread - half angle)).
+    const float c = -(node.axisX[k] * x + node.axisY[k] * y + node.axisZ[k] * z) * inverse;
+    const float cosAxis = node.bothSides[k] > 0 ? std::fabs(c) : c;
+    const float sinAxis = std::sqrt(std::max(0.0f, 1 - cosAxis * cosAxis));
+    const float off = cosAxis * node.cosSpread[k] + sinAxis * node.sinSpread[k];
+    const float cosOff = cosAxis >= node.cosSpread[k] ? 1.0f : off;
+    const float sinOff = std::sqrt(std::max(0.0f, 1 - cosOff * cosOff));
+    const float cosLight = cosOff >= cosBox ? 1.0f : cosOff * cosBox + sinOff * sinBox;
+
+    const float r = (nx * x + ny * y + nz * z) * inverse;
+    const float cosNormal = behind > 0 ? std::fabs(r) : r;
+    const float sinNormal = std::sqrt(std::max(0.0f, 1 - cosNormal * cosNormal));
+    const float cosHere = cosNormal >= cosBox ? 1.0f : cosNormal * cosBox + sinNormal * sinBox;
+
+    importance[k] = node.intensity[k] * std::max(cosLight, 0.0f) * std::max(cosHere, 0.0f) /
+                    std::max(d2, std::max(node.radius2[k], 1e-6f));
+  }
 }
 
 LightTree::Choice LightTree::choose(const Receiver& at, float u) const {
   Choice choice{0, 1.0f, u};
-  std::uint32_t node = 0;
-  while (nodes_[node].right != 0) {
-    const std::uint32_t right = nodes_[node].right;
-    const float l = nodes_[node + 1].bounds.importance(at), r = nodes_[right].bounds.importance(at);
-    if (!(l + r > 0)) return {};
-    const float p = l / (l + r);
-    if (choice.u < p) {
-      choice.u = std::min(choice.u / p, 0.99999994f);
-      choice.probability *= p;
-      node = node + 1;
-    } else {
-      choice.u = std::min((choice.u - p) / (1 - p), 0.99999994f);
-      choice.probability *= 1 - p;
-      node = right;
+  for (std::uint32_t node = 0;;) {
+    float importance[kWidth];
+    judge(nodes_[node], at, importance);
+    float sum = 0;
+    for (const float i : importance) sum += i;
+    if (!(sum > 0)) return {};
+    float rest = choice.u * sum;
+    int chosen = -1;
+    for (int k = 0; k < kWidth; ++k) {
+      if (importance[k] <= 0) continue;
+      chosen = k;
+      if (rest < importance[k]) break;
+      rest -= importance[k];
     }
+    choice.u = std::clamp(rest / importance[chosen], 0.0f, 0.99999994f);
+    choice.probability *= importance[chosen] / sum;
+    const std::uint32_t child = nodes_[node].child[chosen];
+    if (child & kLeaf) {
+      choice.light = child & ~kLeaf;
+      return choice;
+    }
+    node = child;
   }
-  choice.light = nodes_[node].light;
-  return choice;
 }
 
 float LightTree::probability(const Receiver& at, std::uint32_t light) const {
-  std::uint32_t node = 0;
   float probability = 1;
-  for (std::uint64_t path = paths_[light]; nodes_[node].right != 0; path >>= 1) {
-    const std::uint32_t right = nodes_[node].right;
-    const float l = nodes_[node + 1].bounds.importance(at), r = nodes_[right].bounds.importance(at);
-    if (!(l + r > 0)) return 0;
-    const float p = l / (l + r);
-    probability *= path & 1 ? 1 - p : p;
-    node = path & 1 ? right : node + 1;
+  for (std::uint32_t place = places_[light]; place != kNoParent;) {
+    const Node& node = nodes_[place / kWidth];
+    float importance[kWidth];
+    judge(node, at, importance);
+    float sum = 0;
+    for (const float i : importance) sum += i;
+    if (!(sum > 0)) return 0;
+    probability *= importance[place % kWidth] / sum;
+    place = node.parent;
   }
   return probability;
 }

@@ -96,4 +96,11 @@ Vec2f Sampler::get2D() {
           toUnit(reverseBits(nestedHash(kSecond.reversed(i), h2 ^ (h2 >> 13))))};
 }
 
+// The first of a pair alone.
+float Sampler::get1D() {
+  const std::uint32_t h0 = mixBits(join(seed_, dimension_++));
+  const std::uint32_t h1 = h0 * 0x9e3779b1u + 0x7f4a7c15u;
+  return toUnit(reverseBits(nestedHash(reverseBits(nestedHash(reverseBits(index_), h0)), h1)));
+}
+
 }  // namespace idap::render

@@ -17,7 +17,7 @@ class Sampler {
   Sampler(int x, int y, std::uint32_t sample, int log2Samples, std::uint64_t seed);
 
   Vec2f get2D();
-  float get1D() { return get2D().x; }
+  float get1D();
 
  private:
   std::uint32_t index_;
