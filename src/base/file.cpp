@@ -131,6 +131,17 @@ void writeFileAtomically(const std::filesystem::path& path, std::span<const std:
   if (folder.get() >= 0) ::fsync(folder.get());
 }
 
+void requireWritable(const std::filesystem::path& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0) {
+    if (S_ISDIR(info.st_mode)) fail(path, "write", EISDIR);
+    if (::access(path.c_str(), W_OK) != 0) fail(path, "write", errno);
+    return;
+  }
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, "write", errno);
+}
+
 std::filesystem::path userCacheFolder() { return userFolder("XDG_CACHE_HOME", ".cache"); }
 std::filesystem::path userDataFolder() { return userFolder("XDG_DATA_HOME", ".local/share"); }
 

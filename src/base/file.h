@@ -15,6 +15,9 @@ Bytes readFile(const std::filesystem::path& path, std::size_t maxBytes = std::si
 // target is either the old file or the whole new one, never half of it.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+// Throws IoError when the file certainly cannot be written, so that nobody waits for a result in vain.
+void requireWritable(const std::filesystem::path& path);
+
 // Folders by the XDG base directory rules: $XDG_CACHE_HOME/idap, $XDG_DATA_HOME/idap. Not created.
 std::filesystem::path userCacheFolder();
 std::filesystem::path userDataFolder();

@@ -14,9 +14,6 @@ enum class PictureKind { Png, Jpeg, Exr, Pcx };
 // By the extension; throws UsageError for one that is not known.
 PictureKind pictureKind(const std::string& file);
 
-// Throws IoError when the file certainly cannot be written, so that nobody waits for a picture in vain.
-void requireWritable(const std::string& file);
-
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
                  const std::vector<std::string>& lightGroups, const render::DevelopSettings& settings);
 
