@@ -101,11 +101,11 @@ void ornament(Builder& b, Vec3 base, double room, int seed) {
 void tap(Builder& b, Vec3 base, double height, double reach) {
   b.at(base, [&] {
     b.cylinder({0, 0, 0}, 0.025, 0.008, 0.002);
-    const double r = 0.011, bow = std::min(0.5 * reach, 0.3 * height);
-    Path path{{0, 0, 0}, {0, 0, height - bow}};
+    const double r = 0.011, rise = height - r, bow = std::min(0.5 * reach, 0.3 * height);
+    Path path{{0, 0, 0}, {0, 0, rise - bow}};
     for (int i = 1; i <= 10; ++i) {
       const double a = kPi * i / 10 * 0.95;
-      path.push_back({0, -reach / 2 * (1 - std::cos(a)), height - bow + bow * std::sin(a)});
+      path.push_back({0, -reach / 2 * (1 - std::cos(a)), rise - bow + bow * std::sin(a)});
     }
     b.tube(spline(path, 3), r, 14, Cap::Flat);
     b.cylinder({0, 0, 0.006}, 0.018, 0.05, 0.003);

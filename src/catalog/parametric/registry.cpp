@@ -17,9 +17,19 @@ const Generators& generators() {
   static const Generators all = [] {
     Generators g;
     addChairs(g);
+    addTables(g);
+    addSofas(g);
+    addBeds(g);
+    addLights(g);
+    addPlants(g);
     addCabinets(g);
     addDoors(g);
     addWindows(g);
+    addBookshelves(g);
+    addKitchen(g);
+    addBathroom(g);
+    addVanities(g);
+    addAppliances(g);
     return g;
   }();
   return all;

@@ -43,8 +43,18 @@ const Generators& generators();
 
 // One a category file: adds its generators.
 void addChairs(Generators& to);
+void addTables(Generators& to);
+void addSofas(Generators& to);
+void addBeds(Generators& to);
+void addLights(Generators& to);
+void addPlants(Generators& to);
 void addCabinets(Generators& to);
 
 void addDoors(Generators& to);
 void addWindows(Generators& to);
+void addBookshelves(Generators& to);
+void addKitchen(Generators& to);
+void addBathroom(Generators& to);
+void addVanities(Generators& to);
+void addAppliances(Generators& to);
 }  // namespace idap::parametric
