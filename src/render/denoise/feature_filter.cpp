@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace idap::render {
@@ -49,6 +50,7 @@ class Filter {
           std::min(std::fabs(z(x, clampY(y + 1)) - g.depth), std::fabs(g.depth - z(x, clampY(y - 1))));
       g.slope = std::max(dx, dy);
     });
+    spreadSpecks();
     rows([&](int x, int y) { noise_[index(x, y)] = varianceAround(x, y); });
   }
 
@@ -94,6 +96,56 @@ class Filter {
     const Vec3f dn = a.normal - b.normal;
     const Vec3f da = a.albedo - b.albedo;
     return -(std::min(dz * dz, 50.0f) + 32.0f * dot(dn, dn) + 60.0f * dot(da, da));
+  }
+
+  // A pixel much brighter than almost all around it is a stray path that carries the light of many others
+  // that found none: what it has too much is shared out among the like pixels around, so that no light is
+  // lost.
+  void spreadSpecks() {
+    constexpr int kLook = 2, kSpread = 6, kBrightNeighbours = 3;
+    constexpr float kTooBright = 2;
+    std::vector<Rgb> surplus(light_.size());
+    rows([&](int x, int y) {
+      const std::size_t p = index(x, y);
+      const Guide& g = guides_[p];
+      std::array<float, kBrightNeighbours> brightest{};  // descending
+      for (int j = std::max(y - kLook, 0); j <= std::min(y + kLook, height_ - 1); ++j) {
+        for (int i = std::max(x - kLook, 0); i <= std::min(x + kLook, width_ - 1); ++i) {
+          if ((i == x && j == y) || likeness(g, guides_[index(i, j)], kLook) < -3) continue;
+          float l = luminance(light_[index(i, j)]);
+          for (float& b : brightest) {
+            if (l > b) std::swap(l, b);
+          }
+        }
+      }
+      // What stands alone with few of its like, a distant lamp, is left as it is.
+      const float l = luminance(light_[p]), limit = kTooBright * brightest.back();
+      if (brightest.back() > 0 && l > limit) surplus[p] = light_[p] * (1 - limit / l);
+    });
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        const std::size_t p = index(x, y);
+        if (luminance(surplus[p]) <= 0) continue;
+        // Light per albedo is shared such that its product with the albedo, what is seen, keeps its sum.
+        std::array<float, (2 * kSpread + 1) * (2 * kSpread + 1)> weights;
+        Rgb total;
+        const auto forNear = [&](const auto& f) {
+          std::size_t k = 0;
+          for (int j = std::max(y - kSpread, 0); j <= std::min(y + kSpread, height_ - 1); ++j) {
+            for (int i = std::max(x - kSpread, 0); i <= std::min(x + kSpread, width_ - 1); ++i)
+              f(index(i, j), k++);
+          }
+        };
+        forNear([&](std::size_t q, std::size_t k) {
+          const float e = likeness(guides_[p], guides_[q], kSpread);
+          weights[k] = e < -8 ? 0.0f : std::exp(e);
+          total += divisor(guides_[q]) * weights[k];
+        });
+        const Rgb share = surplus[p] * divisor(guides_[p]) / total;
+        light_[p] = light_[p] - surplus[p];
+        forNear([&](std::size_t q, std::size_t k) { light_[q] += share * weights[k]; });
+      }
+    }
   }
 
   // Variance of the light's luminance over the like pixels of 7 x 7.

@@ -124,8 +124,6 @@ Rgb estimateIlluminant(const Film& film) {
 std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings, Denoiser* denoiser) {
   std::vector<Rgb> color = film.meanColors();
   if (settings.toneMap == ToneMap::Classic) return color;
-  const float ev = (settings.ev ? *settings.ev : autoExposure(film)) - settings.compensation;
-  const float multiplier = exposureMultiplier(ev);
   if (settings.denoise) {
     const DenoiseSettings how{.threads = settings.threads, .fast = settings.fastDenoise};
     if (denoiser) {
@@ -134,6 +132,8 @@ std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings
       denoise(film, color, how);
     }
   }
+  const float ev = (settings.ev ? *settings.ev : autoExposure(film, color)) - settings.compensation;
+  const float multiplier = exposureMultiplier(ev);
   const float share = std::clamp(settings.whiteBalance, 0.0f, 1.0f);
   const WhiteBalance balance(share > 0 ? estimateIlluminant(film) : Rgb{1, 1, 1}, share);
   for (Rgb& c : color) c = (share > 0 ? balance(c) : c) * multiplier;

@@ -9,17 +9,17 @@ namespace idap::render {
 namespace {
 
 constexpr float kSaturation = 1.2f;
-constexpr float kDarkest = 1e-6f;  // cd/m2; below, a pixel is black
+constexpr double kDarkest = 1e-6;  // cd/m2; below, a block is black
 
 // Luminances in eighths of a stop.
 struct Histogram {
   static constexpr int kBinsPerStop = 8;
-  static constexpr float kFirstStop = -20;
+  static constexpr double kFirstStop = -20;
   static constexpr int kBins = 48 * kBinsPerStop;
   std::array<double, kBins> weight{};
   double total = 0;
 
-  void add(float log2Luminance, double w) {
+  void add(double log2Luminance, double w) {
     const int bin = static_cast<int>((log2Luminance - kFirstStop) * kBinsPerStop);
     weight[static_cast<std::size_t>(std::clamp(bin, 0, kBins - 1))] += w;
     total += w;
@@ -46,23 +46,40 @@ struct Histogram {
 float exposureMultiplier(float ev100) { return 1.0f / (kSaturation * std::exp2(ev100)); }
 float ev100FromMultiplier(float multiplier) { return -std::log2(kSaturation * multiplier); }
 
-float autoExposure(const Film& film) {
+float autoExposure(const Film& film) { return autoExposure(film, film.meanColors()); }
+
+float autoExposure(const Film& film, const std::vector<Rgb>& color) {
   // What is seen of the outdoors tells little about how the room should look, but a view without any surface
   // must still be exposed.
   constexpr double kSkyWeight = 0.02;
   constexpr double kLow = 0.05, kHigh = 0.85;
+  constexpr int kBlocks = 60;  // along the shorter side
+  const int block = std::max(std::min(film.width, film.height) / kBlocks, 1);
   Histogram histogram;
   double albedoSum = 0, albedoWeight = 0;
-  for (std::size_t i = 0; i < film.pixels(); ++i) {
-    const float l = luminance(film.meanColor(i));
-    if (!(l > kDarkest) || !std::isfinite(l)) continue;
-    const bool sky = film.depth[i] == 0;
-    histogram.add(std::log2(l), sky ? kSkyWeight : 1.0);
-    if (sky) continue;
-    const float albedo = luminance(film.meanAlbedo(i));
-    if (!std::isfinite(albedo)) continue;
-    albedoSum += static_cast<double>(std::clamp(albedo, 0.0f, 1.0f));
-    albedoWeight += 1;
+  for (int y0 = 0; y0 < film.height; y0 += block) {
+    for (int x0 = 0; x0 < film.width; x0 += block) {
+      double sum[2] = {0, 0};  // surfaces, sky
+      int count[2] = {0, 0};
+      for (int y = y0; y < std::min(y0 + block, film.height); ++y) {
+        for (int x = x0; x < std::min(x0 + block, film.width); ++x) {
+          const std::size_t i = film.index(x, y);
+          const float l = luminance(color[i]);
+          if (!(l >= 0) || !std::isfinite(l)) continue;
+          const bool sky = film.depth[i] == 0;
+          sum[sky] += static_cast<double>(l);
+          ++count[sky];
+          const float albedo = luminance(film.meanAlbedo(i));
+          if (sky || !std::isfinite(albedo)) continue;
+          albedoSum += static_cast<double>(std::clamp(albedo, 0.0f, 1.0f));
+          albedoWeight += 1;
+        }
+      }
+      for (int sky = 0; sky < 2; ++sky) {
+        const double mean = count[sky] > 0 ? sum[sky] / count[sky] : 0;
+        if (mean > kDarkest) histogram.add(std::log2(mean), count[sky] * (sky ? kSkyWeight : 1.0));
+      }
+    }
   }
   if (histogram.total <= 0) return 8;
   // A meter that makes everything mid-grey turns a white room grey: the mid-tone follows the reflectance

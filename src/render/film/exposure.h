@@ -12,10 +12,13 @@ float ev100FromMultiplier(float multiplier);
 
 // The EV100 at which the room comes out bright: the log-average luminance of the picture's surfaces lands on
 // a mid-tone of 0.15 to 0.32, higher in pale rooms than in dark ones. Sky seen through windows, the night
-// outside, and the darkest and brightest shares of the picture hardly count. 8 for a picture without light;
-// always from kMinEv to kMaxEv.
+// outside, and the darkest and brightest shares of the picture hardly count. Measured over blocks of pixels,
+// because single noisy pixels are mostly too dark. 8 for a picture without light; always from kMinEv to
+// kMaxEv.
 inline constexpr float kMinEv = -6;
 inline constexpr float kMaxEv = 18;
 float autoExposure(const Film& film);
+// The same for a picture made of the film: mean radiance of every pixel, denoised say.
+float autoExposure(const Film& film, const std::vector<Rgb>& color);
 
 }  // namespace idap::render

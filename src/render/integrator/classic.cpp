@@ -38,8 +38,10 @@ std::vector<ClassicLight> classicLights(const Scene& scene) {
   if (strongest > 0) {
     // Twice as bright a lamp looks less than twice as bright: strengths follow the square root.
     const auto strength = [&](const Lamp& lamp) { return std::sqrt(luminance(lamp.intensity) / strongest); };
-    // Lamps of one room add up, those of other rooms do not count: the most that meets at any lamp becomes 1.
+    // Lamps of one room add up, those of other rooms do not count: the most that meets at any lamp becomes
+    // kTogether, of which shadows take their part; no lamp is brighter than white.
     constexpr float kRoom = 3.0f;  // m
+    constexpr float kTogether = 1.8f;
     float most = 0;
     for (const Lamp& a : scene.lamps) {
       float sum = 0;
@@ -53,7 +55,9 @@ std::vector<ClassicLight> classicLights(const Scene& scene) {
     }
     for (const Lamp& lamp : scene.lamps) {
       if (!(luminance(lamp.intensity) > 0)) continue;
-      lights.push_back({lamp.position, hue(lamp.intensity) * (strength(lamp) / most), lamp.radius, false});
+      lights.push_back({lamp.position,
+                        hue(lamp.intensity) * std::min(kTogether * strength(lamp) / most, 1.0f), lamp.radius,
+                        false});
     }
   }
   const float sun = luminance(scene.sun.illuminance);

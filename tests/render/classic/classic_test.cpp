@@ -220,7 +220,7 @@ TEST(ClassicLights, OneLampOfAnyPowerIsAsBrightAsColoursGo) {
 TEST(ClassicLights, LampsOfOneRoomShareAndThoseFarAwayDoNot) {
   Scene scene;
   scene.lamps.assign(4, {.position = {0, 0, 2}, .intensity = {80, 80, 80}});
-  EXPECT_NEAR(classicLights(scene)[0].color.x, 0.25f, 1e-4);
+  EXPECT_NEAR(classicLights(scene)[0].color.x, 0.45f, 1e-4);
   for (std::size_t i = 0; i < 4; ++i) scene.lamps[i].position.x = 30.0f * static_cast<float>(i);
   EXPECT_GT(classicLights(scene)[0].color.x, 0.99f);
 }

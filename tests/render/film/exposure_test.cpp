@@ -62,6 +62,22 @@ TEST(Exposure, AViewOfTheSkyAloneIsExposedToo) {
   EXPECT_LT(shown, 0.4f);
 }
 
+TEST(Exposure, NoiseDoesNotMakeItBrighter) {
+  // One path in sixteen brings all the light.
+  Film noisy(320, 240), clean(320, 240);
+  for (std::size_t i = 0; i < noisy.pixels(); ++i) {
+    for (Film* film : {&noisy, &clean}) {
+      film->weight[i] = 1;
+      film->depth[i] = 3;
+      film->albedo[i] = {0.5f, 0.5f, 0.5f};
+    }
+    clean.color[i] = {40, 40, 40};
+    const float l = (i * 2654435761u >> 8) % 16 == 0 ? 640.0f : 0.0f;
+    noisy.color[i] = {l, l, l};
+  }
+  EXPECT_NEAR(autoExposure(noisy), autoExposure(clean), 0.7);
+}
+
 TEST(Exposure, StaysInBoundsWithoutLightAndWithBrokenPixels) {
   EXPECT_FLOAT_EQ(autoExposure(Film(4, 4)), 8);
   EXPECT_FLOAT_EQ(autoExposure(room(1e-4f, 0.5f, 0, 0)), kMinEv);
