@@ -30,6 +30,7 @@ const Generators& generators() {
     addBathroom(g);
     addVanities(g);
     addAppliances(g);
+    addStairs(g);
     return g;
   }();
   return all;

@@ -57,4 +57,5 @@ void addKitchen(Generators& to);
 void addBathroom(Generators& to);
 void addVanities(Generators& to);
 void addAppliances(Generators& to);
+void addStairs(Generators& to);
 }  // namespace idap::parametric

@@ -182,7 +182,7 @@ void chesterfieldSofa(Builder& b, const Parameters& p) {
     for (std::size_t i = 3; i + 1 < placed.size(); i += 1) {
       const Vec2 c{w - r, cz};
       const Vec2 q = c + (placed[i] - c) * 0.86;
-      b.ellipsoid({q.x, f + 0.003, q.y}, {0.006, 0.003, 0.006}, 8);
+      b.ellipsoid({q.x, f + 0.003, q.y}, {0.006, 0.003, 0.006}, 6);
     }
     b.slot("fabric");
     // Buttoned inside of the arm.
@@ -354,7 +354,7 @@ void frameArmchair(Builder& b, const Parameters& p) {
       b.box({sx - 0.012, 0.005, 0}, {sx + 0.012, 0.017, tall - 0.04}, 0.003, Grain::Z);
     }
     b.slot("fabric");
-    b.cushion({-x + 0.045, -0.13, 0.16}, {x - 0.045, 0.002, tall - 0.02},
+    b.cushion({-x + 0.045, -0.13, 0.1}, {x - 0.045, 0.002, tall - 0.02},
               {.radius = 0.045, .crown = 0.028, .bulge = 0.006, .segments = 12});
   });
   b.slot("fabric");
@@ -423,11 +423,10 @@ void pouf(Builder& b, const Parameters& p) {
       b.surface(
           [&](double u, double v) {
             const double a = 2 * kPi * u, t = kPi * (v - 0.5);
-            const double lobe =
-                1 - 0.045 * std::pow(std::abs(std::cos(8 * a)), 0.6) * std::pow(std::cos(t), 0.5);
-            const double ring = r * std::pow(std::max(0.0, std::cos(t)), 0.55) * lobe;
+            const double lobe = 1 - 0.09 * (1 - std::pow(std::abs(std::sin(7 * a)), 0.5)) * std::cos(t);
+            const double ring = r * std::pow(std::max(0.0, std::cos(t)), 0.45) * lobe;
             return Vec3{ring * std::cos(a), ring * std::sin(a),
-                        h / 2 + h / 2 * (t > 0 ? 1 : -1) * std::pow(std::abs(std::sin(t)), 0.8) -
+                        h / 2 + h / 2 * (t > 0 ? 1 : -1) * std::abs(std::sin(t)) -
                             0.02 * std::exp(-std::pow(ring / (0.15 * r), 2)) * (v > 0.5 ? 1 : 0)};
           },
           128, 24, 0, true);
