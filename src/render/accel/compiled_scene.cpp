@@ -16,14 +16,8 @@
 
 namespace idap::render {
 
-namespace {
-
-// A hit's position is off by some ulps of the coordinates it was computed from; new rays start this many
-// ulps (2^-23) away. 48 ulps at 10 m are 0.06 mm.
-constexpr float kOffsetUlps = 48.0f * 1.1920929e-7f;
-
 // All that a hit needs of its instance, in one place.
-struct InstanceData {
+struct HitInstance {
   const Vec3f* positions = nullptr;
   const Vec3f* normals = nullptr;
   const Vec2f* uvs = nullptr;
@@ -43,6 +37,12 @@ struct InstanceData {
   }
   std::uint32_t surfaceOf(std::uint32_t triangle) const { return surfaces[slots ? slots[triangle] : 0]; }
 };
+
+namespace {
+
+// A hit's position is off by some ulps of the coordinates it was computed from; new rays start this many
+// ulps (2^-23) away. 48 ulps at 10 m are 0.06 mm.
+constexpr float kOffsetUlps = 48.0f * 1.1920929e-7f;
 
 bool usable(const Transformf& t) {
   const float d = t.determinant();
@@ -75,7 +75,7 @@ struct CompiledScene::Accel {
   std::atomic<std::int64_t> bytes{0};  // before the device, which counts in it to its end
   DeviceHandle device;
   std::vector<SurfaceData> surfaces;
-  std::vector<InstanceData> instances;
+  std::vector<HitInstance> instances;
   std::vector<GeometryHandle> geometries;  // one an instance; null where there is nothing to hit
   std::vector<std::unique_ptr<MeshAccel>> meshes;
   std::vector<std::uint32_t> meshOfInstance;
@@ -92,7 +92,7 @@ namespace {
 // What shadow rays carry through Embree to the filter.
 struct ShadowContext {
   RTCIntersectContext embree;
-  const InstanceData* instances;
+  const HitInstance* instances;
   const SurfaceData* surfaces;
   Vec3f direction;
   Rgb transmittance{1, 1, 1};
@@ -104,7 +104,7 @@ void shadowFilter(const RTCFilterFunctionNArguments* args) {
   if (args->N != 1 || args->valid[0] == 0) return;
   auto& context = *reinterpret_cast<ShadowContext*>(args->context);
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
-  const InstanceData& instance = context.instances[hit.instID[0]];
+  const HitInstance& instance = context.instances[hit.instID[0]];
   // A ray through the edge between two triangles, or through faces modelled twice, passes one sheet, not two.
   const float t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
   if (context.lastInstance == hit.instID[0] && std::fabs(t - context.lastT) <= 2e-6f * t) {
@@ -131,7 +131,7 @@ void shadowFilter(const RTCFilterFunctionNArguments* args) {
 }  // namespace
 
 void CompiledScene::Accel::place(std::uint32_t i, const Transformf& t) {
-  InstanceData& data = instances[i];
+  HitInstance& data = instances[i];
   data.toWorld = t;
   data.normalToWorld = t.cofactor();
   if (t.determinant() < 0) {
@@ -216,7 +216,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
     Box3f world;
     for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
       const Instance& instance = scene_->instances[i];
-      InstanceData& data = a.instances.emplace_back();
+      HitInstance& data = a.instances.emplace_back();
       GeometryHandle& geometry = a.geometries.emplace_back();
       const std::uint32_t m = a.meshOfInstance[i];
       if (m != kNone) {
@@ -372,7 +372,7 @@ Rgb CompiledScene::transmittance(const Ray& ray) const {
 bool CompiledScene::occluded(const Ray& ray) const { return maxComponent(transmittance(ray)) <= 0; }
 
 Interaction CompiledScene::interaction(const Ray& ray, const Hit& hit) const {
-  const InstanceData& data = accel_->instances[hit.instance];
+  const HitInstance& data = accel_->instances[hit.instance];
   const auto& c = data.triangles[hit.triangle];
   const Vec3f a = data.positions[c[0]], b = data.positions[c[1]], d = data.positions[c[2]];
 

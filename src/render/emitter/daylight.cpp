@@ -163,7 +163,7 @@ bool Daylight::sampleSky(const Receiver& at, float choice, Vec2f u, LightSample&
     const Vec3f d = seen.sample(u);
     s.wi = normalized(d);
     if (!std::isfinite(dot(s.wi, s.wi))) return false;
-    s.pdf = mixturePdf(at, s.wi);
+    s.pdf = mixturePdf(at, s.wi, sum, chosen, seen.solidAngle());
     return s.pdf > 0;
   }
   const Distribution2D::Sample m = map_.sample(u);
@@ -172,7 +172,7 @@ bool Daylight::sampleSky(const Receiver& at, float choice, Vec2f u, LightSample&
     const float sine = std::sin(kPiF * m.point.y);
     s.pdf = m.pdf / (2 * kPiF * kPiF * std::max(sine, 1e-6f));
   } else {
-    s.pdf = mixturePdf(at, s.wi);
+    s.pdf = mixturePdf(at, s.wi, sum, nullptr, 0);
   }
   return s.pdf > 0;
 }
@@ -183,17 +183,25 @@ float Daylight::pdfMap(Vec3f d) const {
 }
 
 float Daylight::mixturePdf(const Receiver& at, Vec3f d) const {
-  float sum = 0, through = 0;
+  float sum = 0;
+  for (const Opening& o : openings_) sum += importance(o, at);
+  return mixturePdf(at, d, sum, nullptr, 0);
+}
+
+float Daylight::mixturePdf(const Receiver& at, Vec3f d, float sum, const Opening* known,
+                           float knownAngle) const {
+  const float map = pdfMap(d);
+  if (!(sum > 0)) return map;
+  float through = 0;
   for (const Opening& o : openings_) {
+    if (&o != known && !crosses(o, at.position, d)) continue;
     const float w = importance(o, at);
     if (w <= 0) continue;
-    sum += w;
-    if (!crosses(o, at.position, d)) continue;
-    const float solidAngle = SphericalRectangle(o.corner, o.edgeU, o.edgeV, at.position).solidAngle();
+    const float solidAngle =
+        &o == known ? knownAngle : SphericalRectangle(o.corner, o.edgeU, o.edgeV, at.position).solidAngle();
     if (solidAngle >= kLeastSolidAngle * 0.1f) through += w / solidAngle;
   }
-  const float map = pdfMap(d);
-  return sum > 0 ? kMapShare * map + (1 - kMapShare) * through / sum : map;
+  return kMapShare * map + (1 - kMapShare) * through / sum;
 }
 
 float Daylight::pdfSky(const Receiver& at, Vec3f d) const {

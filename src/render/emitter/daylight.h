@@ -40,6 +40,9 @@ class Daylight {
   bool sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
   float pdfMap(Vec3f direction) const;
   float mixturePdf(const Receiver& at, Vec3f direction) const;
+  // The same where the sum of importances and the solid angle of one opening are known already.
+  float mixturePdf(const Receiver& at, Vec3f direction, float sum, const Opening* known,
+                   float solidAngle) const;
 
   Sun sun_;
   Rgb sunRadiance_{};
