@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <zip.h>
 
+#include <algorithm>
 #include <mutex>
 #include <unordered_map>
 
@@ -34,7 +35,8 @@ std::string reasonOf(zip_error_t* error) {
 }  // namespace
 
 struct ZipReader::Impl {
-  SharedBytes archive;
+  SharedBytes archive;  // null when read from a file
+  std::size_t archiveBytes = 0;
   std::string fileName;
   ZipLimits limits;
   zip_t* zip = nullptr;
@@ -50,8 +52,10 @@ struct ZipReader::Impl {
 ZipReader::ZipReader(SharedBytes archive, std::string fileName, ZipLimits limits)
     : impl_(std::make_unique<Impl>()) {
   impl_->archive = std::move(archive);
+  impl_->archiveBytes = impl_->archive->size();
   impl_->fileName = std::move(fileName);
   impl_->limits = limits;
+  if (impl_->archive->empty()) throw ParseError(impl_->fileName, "", "the file is empty");
   zip_error_t error;
   zip_error_init(&error);
   open(zip_source_buffer_create(impl_->archive->data(), impl_->archive->size(), 0, &error), &error);
@@ -62,6 +66,8 @@ ZipReader::ZipReader(const std::filesystem::path& file, ZipLimits limits) : impl
   impl_->limits = limits;
   if (std::error_code failed; !std::filesystem::is_regular_file(file, failed))
     throw IoError(impl_->fileName + ": no such file");
+  std::error_code unknown;
+  impl_->archiveBytes = std::filesystem::file_size(file, unknown);  // the largest number when unknown
   zip_error_t error;
   zip_error_init(&error);
   open(zip_source_file_create(impl_->fileName.c_str(), 0, -1, &error), &error);
@@ -90,7 +96,7 @@ void ZipReader::open(zip_source* source, zip_error* opening) {
     const std::size_t size = (info.valid & ZIP_STAT_SIZE) ? info.size : 0;
     const std::size_t packed = (info.valid & ZIP_STAT_COMP_SIZE) ? info.comp_size : 0;
     // A claim that would make room for more than the archive can hold is not believed.
-    if (packed > impl_->archive->size()) throw ParseError(impl_->fileName, name, "the entry is damaged");
+    if (packed > impl_->archiveBytes) throw ParseError(impl_->fileName, name, "the entry is damaged");
     if (size > limits.maxEntryBytes) throw ParseError(impl_->fileName, name, "the entry is too large");
     if (size > (std::size_t{1} << 20) &&
         static_cast<double>(size) > limits.maxRatio * static_cast<double>(packed + 1))
@@ -149,6 +155,12 @@ bool looksLikeZip(const Bytes& bytes) {
 }
 
 Bytes writeZip(const std::map<std::string, SharedBytes>& entries) {
+  if (entries.empty()) {  // libzip would write nothing at all; this is the end record of an empty archive
+    Bytes bytes(22);
+    constexpr std::string_view kSignature = "PK\x05\x06";
+    std::transform(kSignature.begin(), kSignature.end(), bytes.begin(), [](char c) { return std::byte(c); });
+    return bytes;
+  }
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error);

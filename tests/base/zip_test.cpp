@@ -1,11 +1,14 @@
 #include "base/zip.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <random>
 #include <thread>
 
 #include "base/error.h"
+#include "base/file.h"
 
 namespace idap {
 namespace {
@@ -39,6 +42,14 @@ TEST(Zip, ReadsBackWhatItWrote) {
   EXPECT_FALSE(zip.contains("none"));
   EXPECT_THROW(zip.read("none"), ParseError);
   EXPECT_THROW(zip.size("none"), ParseError);
+}
+
+TEST(Zip, ReadsStraightFromAFile) {
+  const auto file = std::filesystem::temp_directory_path() / ("idap-zip-test-" + std::to_string(::getpid()));
+  writeFileAtomically(file, *zipOf({{"a", bytesOf("text")}}));
+  EXPECT_EQ(asText(ZipReader(file).read("a")), "text");
+  std::filesystem::remove(file);
+  EXPECT_THROW(ZipReader{file}, IoError);
 }
 
 TEST(Zip, EqualContentGivesEqualBytes) {

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "model/sample_home.h"
+#include "support/sample_home.h"
 
 namespace idap {
 namespace {

@@ -79,7 +79,8 @@ class Reader {
     value = integer(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
   }
   void read(std::uint64_t& value) const {
-    if (!json_.is_number_unsigned()) source_.fail(at_, "a whole number from 0");
+    if (!json_.is_number_integer() || (!json_.is_number_unsigned() && json_.get<std::int64_t>() < 0))
+      source_.fail(at_, "a whole number from 0");
     value = json_.get<std::uint64_t>();
   }
   void read(double& value) const {

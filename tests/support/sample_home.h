@@ -1,16 +1,21 @@
-#include "model/sample_home.h"
+// Homes for tests: one that uses every field with a value of its own, and big regular ones.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "model/home.h"
 
 namespace idap::test {
 
-namespace {
-
-SharedBytes bytesOf(std::string_view text) {
+inline SharedBytes bytesOf(std::string_view text) {
   Bytes bytes;
   for (const char c : text) bytes.push_back(std::byte(c));
   return std::make_shared<const Bytes>(std::move(bytes));
 }
 
-Finish fullFinish() {
+inline Finish fullFinish() {
   Finish finish;
   finish.material = "oak";
   finish.color = Color{0.1f, 0.2f, 0.7f};
@@ -21,7 +26,7 @@ Finish fullFinish() {
   return finish;
 }
 
-TextStyle fullStyle() {
+inline TextStyle fullStyle() {
   TextStyle style;
   style.font = "DejaVu Sans";
   style.size = 0.27;
@@ -31,7 +36,7 @@ TextStyle fullStyle() {
   return style;
 }
 
-void fill(Piece& piece, LevelId level, GroupId group) {
+inline void fill(Piece& piece, LevelId level, GroupId group) {
   piece.level = level;
   piece.group = group;
   piece.name = "Stuhl \"Größe\" \xE6\xA4\x85";
@@ -57,9 +62,8 @@ void fill(Piece& piece, LevelId level, GroupId group) {
   piece.properties = {{"creator", "Somebody"}, {"licence", "CC0"}};
 }
 
-}  // namespace
-
-Home fullHome() {
+// At least one element of each kind, every field different from its default. Valid.
+inline Home fullHome() {
   Home home;
   home.name = "Full";
   home.title = "Title";
@@ -166,7 +170,8 @@ Home fullHome() {
   return home;
 }
 
-Home smallFlat() {
+// A two-room flat of 6 m by 4 m with a door, a window and a table in a group. Valid.
+inline Home smallFlat() {
   Home home;
   const Vec2 corners[] = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
   WallId ids[5];
@@ -211,7 +216,8 @@ Home smallFlat() {
   return home;
 }
 
-Home manyPieces(std::size_t count) {
+// A grid of pieces.
+inline Home manyPieces(std::size_t count) {
   Home home;
   Table<FurnitureId, Furniture>::Chunk entries;
   for (std::size_t i = 0; i < count; ++i) {
