@@ -42,7 +42,7 @@ const Material* findMaterial(const std::string& id);
 std::vector<std::string> materialIds();
 std::string materialName(const std::string& id, std::string_view language);  // falls back to English
 // "wood", "lacquer", "paint", "metal", "glass", "fabric", "floor", "stone", "ceramic", "plastic", "plant",
-// "light".
+// "light", "art".
 std::string materialGroup(const std::string& id);
 
 }  // namespace idap

@@ -22,6 +22,7 @@ struct Entry {
   std::optional<TextureRecipe> recipe;
   bool neutral = false;  // the picture carries no colour of its own: the mean of both is the colour
   bool relief = true;
+  bool fit = false;  // one copy over the face's own texture coordinates
   std::once_flag painted;
 };
 
@@ -54,19 +55,19 @@ TextureRecipe recipeOf(const json& j) {
   return recipe;
 }
 
-MaterialTexture textureOf(const Image8& picture, const std::string& name, Vec2 size) {
+MaterialTexture textureOf(const Image8& picture, const std::string& name, const Entry& entry) {
   MaterialTexture texture;
   texture.bytes = std::make_shared<const Bytes>(encodePpm(picture));
   texture.name = name;
-  texture.size = size;
+  texture.size = entry.fit ? Vec2{} : entry.recipe->size;
   return texture;
 }
 
 void paintEntry(Entry& entry, const std::string& id) {
   const ProceduralTexture made = makeTexture(*entry.recipe);
-  entry.material.texture = textureOf(made.color, id + ".ppm", entry.recipe->size);
+  entry.material.texture = textureOf(made.color, id + ".ppm", entry);
   if (entry.relief && made.normal.width > 0)
-    entry.material.normalMap = textureOf(made.normal, id + "-normal.ppm", entry.recipe->size);
+    entry.material.normalMap = textureOf(made.normal, id + "-normal.ppm", entry);
   if (!entry.neutral) return;
   // Brightens the colour by what the picture takes away, so that the whole looks like the colour named.
   const float mean = luminance(meanReflectance(made.color));
@@ -130,6 +131,7 @@ class Materials {
       entry.recipe = recipeOf(j.at("texture"));
       entry.neutral = j.at("texture").value("neutral", false);
       entry.relief = j.at("texture").value("relief", true);
+      entry.fit = j.at("texture").value("fit", false);
     }
     ids_.push_back(id);
   }

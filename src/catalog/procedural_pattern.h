@@ -53,5 +53,8 @@ ProceduralTexture carpet(const TextureRecipe&);
 ProceduralTexture leather(const TextureRecipe&);
 ProceduralTexture rattan(const TextureRecipe&);
 ProceduralTexture brushed(const TextureRecipe&);
+// Pictures to hang, which do not repeat.
+ProceduralTexture abstractArt(const TextureRecipe&);
+ProceduralTexture landscape(const TextureRecipe&);
 
 }  // namespace idap::pattern

@@ -21,11 +21,23 @@ struct Entry {
 };
 
 constexpr std::array kMakers{
-    Entry{"wood", wood},         Entry{"planks", planks},   Entry{"herringbone", herringbone},
-    Entry{"marble", marble},     Entry{"granite", granite}, Entry{"terrazzo", terrazzo},
-    Entry{"concrete", concrete}, Entry{"tiles", tiles},     Entry{"brick", brick},
-    Entry{"cork", cork},         Entry{"weave", weave},     Entry{"carpet", carpet},
-    Entry{"leather", leather},   Entry{"rattan", rattan},   Entry{"brushed", brushed},
+    Entry{"wood", wood},
+    Entry{"planks", planks},
+    Entry{"herringbone", herringbone},
+    Entry{"marble", marble},
+    Entry{"granite", granite},
+    Entry{"terrazzo", terrazzo},
+    Entry{"concrete", concrete},
+    Entry{"tiles", tiles},
+    Entry{"brick", brick},
+    Entry{"cork", cork},
+    Entry{"weave", weave},
+    Entry{"carpet", carpet},
+    Entry{"leather", leather},
+    Entry{"rattan", rattan},
+    Entry{"brushed", brushed},
+    Entry{"abstract", abstractArt},
+    Entry{"landscape", landscape},
 };
 
 std::uint8_t toByte(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); }

@@ -1,5 +1,6 @@
-// Tileable pictures made by formulas of our own: wood, floors, stone, cloth and the like. The same recipe
-// gives the same bytes on every run; a picture takes a few milliseconds to make.
+// Pictures made by formulas of our own: wood, floors, stone, cloth and the like, which all tile; and
+// "abstract" and "landscape", paintings to hang, which do not. The same recipe gives the same bytes on every
+// run; a picture takes a few milliseconds to make.
 #pragma once
 
 #include <cstdint>

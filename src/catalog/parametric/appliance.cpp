@@ -80,7 +80,7 @@ void laptop(Builder& b, const Parameters& p) {
   b.box({-0.17 * b.width(), y0 + 0.05 * deep, t - 0.001}, {0.17 * b.width(), y0 + 0.38 * deep, t + 0.0003},
         0);
   const double lid = (b.height() - t) / std::sin(open);
-  b.within(Transform::translation({0, y1 - 0.006, t}) * Transform::rotationX(open - kPi), [&] {
+  b.within(Transform::translation({0, y1 - 0.006, t}) * Transform::rotationX(-open), [&] {
     // The lid lies forward when shut: along -y, its screen below. Turned by `open` it stands.
     b.slot("case");
     b.box({b.left(), -lid, 0}, {b.right(), 0, 0.006}, 0.002);
@@ -351,7 +351,7 @@ void microwave(Builder& b, const Parameters&) {
 
 // Split unit on the wall: a soft-edged case with a louvre below.
 void airConditioner(Builder& b, const Parameters&) {
-  const double y0 = b.front(), y1 = b.back(), h = b.height();
+  const double y0 = b.front() + 0.011, y1 = b.back(), h = b.height();
   b.slot("case");
   const std::vector<Vec2> section{{y1, 0.02},
                                   {y1, h},
@@ -371,7 +371,7 @@ void airConditioner(Builder& b, const Parameters&) {
 
 void fan(Builder& b, const Parameters& p) {
   const double head = b.width() / 2, h = b.height(), z = h - head;
-  const double foot = std::min(0.75 * head, b.depth() / 2 / 1.0);
+  const double foot = b.depth() / 2;
   b.slot("case");
   b.lathe(
       {},

@@ -321,7 +321,7 @@ void shower(Builder& b, const Parameters& p) {
 
 void towelRail(Builder& b, const Parameters& p) {
   const int bars = std::clamp(p.count("bars", fitting(b.height(), 0.07)), 3, 40);
-  const double r = 0.016, y = b.front() + 0.026, wall = b.back();
+  const double r = 0.016, y = b.front() + 0.021, wall = b.back();
   b.slot("rail");
   b.mirroredX([&] { b.rod({b.right() - r, y, 0}, {b.right() - r, y, b.height()}, r, 16); });
   int inRow = 0;

@@ -32,7 +32,7 @@ void Builder::slot(const std::string& name) {
 
 void Builder::light(Vec3 position) { lights_.push_back(transform_.point(position)); }
 
-void Builder::add(Mesh part, double crease) {
+void Builder::add(Mesh part, double crease, bool fixedUvs) {
   if (slots_.empty()) slot("body");
   dropEmptyTriangles(part);
   if (part.triangles.empty()) return;
@@ -40,7 +40,8 @@ void Builder::add(Mesh part, double crease) {
   const int key = parts_++;
   const Vec2f shift{static_cast<float>(3 * random(2 * key)), static_cast<float>(3 * random(2 * key + 1))};
   part.uvs.resize(part.positions.size());
-  for (Vec2f& uv : part.uvs) uv += shift;
+  if (!fixedUvs)
+    for (Vec2f& uv : part.uvs) uv += shift;
   part.slots.clear();
   append(mesh_, part, toFloat(transform_), slot_);
   mesh_.slots.resize(mesh_.triangles.size(), slot_);

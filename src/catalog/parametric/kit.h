@@ -199,8 +199,8 @@ class Builder {
   void light(Vec3 position);
 
   // A part of one's own: positions, optional uvs, triangles wound outward. Normals are made where absent,
-  // smooth up to crease radians.
-  void add(Mesh part, double crease = 0.7);
+  // smooth up to crease radians. fixedUvs: texture coordinates stay as given (a painting in its frame).
+  void add(Mesh part, double crease = 0.7, bool fixedUvs = false);
 
   // Deterministic variation, 0..1: the same for equal keys.
   static double random(int key);

@@ -31,6 +31,7 @@ const Generators& generators() {
     addVanities(g);
     addAppliances(g);
     addStairs(g);
+    addDecor(g);
     return g;
   }();
   return all;

@@ -58,4 +58,5 @@ void addBathroom(Generators& to);
 void addVanities(Generators& to);
 void addAppliances(Generators& to);
 void addStairs(Generators& to);
+void addDecor(Generators& to);
 }  // namespace idap::parametric
