@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <new>
 #include <oneapi/dnnl/dnnl.hpp>
 #ifdef _OPENMP
 #include <omp.h>
@@ -13,6 +12,7 @@
 #include "base/data_path.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "render/denoise/network_map.h"
 #include "render/denoise/transfer_curve.h"
 #include "render/denoise/weight_file.h"
 
@@ -20,7 +20,6 @@ namespace idap::render {
 
 namespace {
 
-constexpr int kBlock = 16;       // channels come in sixteens; sides of the picture too, after four halvings
 constexpr int kTile = 1280;      // largest tile with its margins, pixels
 constexpr int kTileMargin = 96;  // what a pixel's value depends on, roughly half the receptive field of 174
 
@@ -46,26 +45,10 @@ class ThreadCount {
   [[maybe_unused]] int before_;
 };
 
-template <class F>
-void forRows(int rows, const F& f) {
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static)
-#endif
-  for (int y = 0; y < rows; ++y) f(y);
-}
-
 std::uint16_t toBf16(float v) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(v);
   return static_cast<std::uint16_t>((bits + 0x7fff + ((bits >> 16) & 1)) >> 16);  // to nearest, ties to even
 }
-
-// How numbers lie in memory: T is float, or the bits of a bfloat16. Blocked: planes of 16 channels; else
-// all channels of a pixel together.
-struct Format {
-  bool bf16 = false;
-  bool blocked = false;
-  std::size_t bytes() const { return bf16 ? 2 : 4; }
-};
 
 // oneDNN's fast kernels: bfloat16 only where the processor has AMX, and then channels last; float in blocks
 // of 16 on AVX-512 and channels last elsewhere. Any other pairing falls to kernels that take seconds.
@@ -76,122 +59,6 @@ Format bestFormat() {
   };
   if (has(dnnl::cpu_isa::avx512_core_amx)) return {true, false};
   return {false, has(dnnl::cpu_isa::avx512_core)};
-}
-
-// Blocks of memory for the maps, used again and again: fresh pages from the system cost as much time as the
-// convolutions do.
-class BufferPool {
- public:
-  struct Free {
-    void operator()(std::byte* p) const { ::operator delete[](p, std::align_val_t{64}); }
-  };
-  struct Buffer {
-    std::size_t size = 0;
-    std::unique_ptr<std::byte[], Free> bytes;
-  };
-
-  // At least `size` bytes of any content, 64-byte aligned.
-  Buffer take(std::size_t size) {
-    const auto fits = [&](const Buffer& b) { return b.size >= size && b.size / 4 <= size; };
-    if (const auto found = std::ranges::find_if(free_, fits); found != free_.end()) {
-      Buffer buffer = std::move(*found);
-      free_.erase(found);
-      return buffer;
-    }
-    return {size, std::unique_ptr<std::byte[], Free>(new (std::align_val_t{64}) std::byte[size])};
-  }
-  void giveBack(Buffer buffer) {
-    const auto larger = [&](const Buffer& b) { return b.size > buffer.size; };
-    free_.insert(std::ranges::find_if(free_, larger), std::move(buffer));
-  }
-
- private:
-  std::vector<Buffer> free_;  // smallest first
-};
-
-// Channels of one picture at one of the network's resolutions; the memory goes back to the pool it came from.
-struct Map {
-  int channels = 0, width = 0, height = 0;  // channels a multiple of 16
-  BufferPool::Buffer buffer;
-  BufferPool* pool = nullptr;
-
-  Map(int c, int w, int h, Format format, BufferPool& from)
-      : channels(c), width(w), height(h), buffer(from.take(size(format))), pool(&from) {}
-  ~Map() { release(); }
-  Map(Map&& other) noexcept { *this = std::move(other); }
-  Map& operator=(Map&& other) noexcept {
-    std::swap(channels, other.channels);
-    std::swap(width, other.width);
-    std::swap(height, other.height);
-    std::swap(buffer, other.buffer);
-    std::swap(pool, other.pool);
-    other.release();
-    return *this;
-  }
-
-  std::size_t size(Format format) const {
-    return static_cast<std::size_t>(channels) * static_cast<std::size_t>(width) *
-           static_cast<std::size_t>(height) * format.bytes();
-  }
-  std::byte* data() { return buffer.bytes.get(); }
-  const std::byte* data() const { return buffer.bytes.get(); }
-
- private:
-  void release() {
-    if (pool && buffer.bytes) pool->giveBack(std::move(buffer));
-    pool = nullptr;
-  }
-};
-
-// Where the 16 channels of block b of pixel (x, y) start, in elements.
-std::size_t at(const Map& m, Format format, int b, int x, int y) {
-  const auto pixel =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(m.width) + static_cast<std::size_t>(x);
-  if (format.blocked) {
-    return (static_cast<std::size_t>(b) * static_cast<std::size_t>(m.width) *
-                static_cast<std::size_t>(m.height) +
-            pixel) *
-           kBlock;
-  }
-  return pixel * static_cast<std::size_t>(m.channels) + static_cast<std::size_t>(b * kBlock);
-}
-
-// 2 x 2 maximum. After a ReLU nothing is negative, so the bits compare like the numbers.
-template <class Bits>
-void poolInto(const Map& from, Map& to, Format format) {
-  const Bits* in = reinterpret_cast<const Bits*>(from.data());
-  Bits* out = reinterpret_cast<Bits*>(to.data());
-  const int blocks = from.channels / kBlock;
-  forRows(to.height, [&](int y) {
-    for (int b = 0; b < blocks; ++b) {
-      for (int x = 0; x < to.width; ++x) {
-        const Bits* p = in + at(from, format, b, 2 * x, 2 * y);
-        const Bits* q = in + at(from, format, b, 2 * x + 1, 2 * y);
-        const Bits* r = in + at(from, format, b, 2 * x, 2 * y + 1);
-        const Bits* s = in + at(from, format, b, 2 * x + 1, 2 * y + 1);
-        Bits* o = out + at(to, format, b, x, y);
-        for (int k = 0; k < kBlock; ++k) o[k] = std::max(std::max(p[k], q[k]), std::max(r[k], s[k]));
-      }
-    }
-  });
-}
-
-// Every pixel of `low` four times, then the channels of `skip`.
-void upsampleAndJoin(const Map& low, const Map& skip, Map& to, Format format) {
-  const std::size_t size = format.bytes();
-  const int lowBlocks = low.channels / kBlock, skipBlocks = skip.channels / kBlock;
-  const auto copy = [&](const Map& from, int b, int x, int y, int toB, int toX, int toY) {
-    std::memcpy(to.data() + at(to, format, toB, toX, toY) * size,
-                from.data() + at(from, format, b, x, y) * size, kBlock * size);
-  };
-  forRows(to.height, [&](int y) {
-    for (int b = 0; b < lowBlocks; ++b) {
-      for (int x = 0; x < to.width; ++x) copy(low, b, x / 2, y / 2, b, x, y);
-    }
-    for (int b = 0; b < skipBlocks; ++b) {
-      for (int x = 0; x < to.width; ++x) copy(skip, b, x, y, lowBlocks + b, x, y);
-    }
-  });
 }
 
 }  // namespace
@@ -205,8 +72,8 @@ struct DenoiseNetwork::Impl {
   Impl(bool fast, Format f);
   Layer load(const std::string& name, int firstInput, int secondInput);
   Map convolve(const std::string& name, const Map& from, bool last = false);
-  Map halve(const Map& from);
-  Map join(const Map& low, const Map& skip);
+  Map halve(const Map& from) { return halved(from, format, pool); }
+  Map join(const Map& low, const Map& skip) { return joined(low, skip, format, pool); }
   Map runOn(const Map& input);
 
   Format format;
@@ -325,22 +192,6 @@ Map DenoiseNetwork::Impl::convolve(const std::string& name, const Map& from, boo
                         {DNNL_ARG_BIAS, layer.bias},
                         {DNNL_ARG_DST, Memory(target, engine, to.data())}});
   stream.wait();
-  return to;
-}
-
-Map DenoiseNetwork::Impl::halve(const Map& from) {
-  Map to(from.channels, from.width / 2, from.height / 2, format, pool);
-  if (format.bf16) {
-    poolInto<std::uint16_t>(from, to, format);
-  } else {
-    poolInto<std::uint32_t>(from, to, format);
-  }
-  return to;
-}
-
-Map DenoiseNetwork::Impl::join(const Map& low, const Map& skip) {
-  Map to(low.channels + skip.channels, skip.width, skip.height, format, pool);
-  upsampleAndJoin(low, skip, to, format);
   return to;
 }
 
