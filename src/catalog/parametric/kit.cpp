@@ -47,24 +47,29 @@ void Builder::add(Mesh part, double crease, bool fixedUvs) {
   mesh_.slots.resize(mesh_.triangles.size(), slot_);
 }
 
-Builder::Result Builder::finish() {
-  const Box3f box = mesh_.bounds();
-  Result result;
-  if (!box.empty()) {
-    const Vec3f lo = box.min, extent = box.size();
-    const Vec3f wanted = toFloat(size_);
-    Vec3f scale{1, 1, 1}, shift{};
-    for (int i = 0; i < 3; ++i) {
-      const float target = i == 2 ? 0.0f : -wanted[i] / 2;
-      if (extent[i] > 1e-6f && wanted[i] > 0) scale[i] = wanted[i] / extent[i];
-      shift[i] = target - lo[i] * scale[i];
-    }
-    const Vec3f inverse{1 / scale.x, 1 / scale.y, 1 / scale.z};
-    for (Vec3f& p : mesh_.positions) p = p * scale + shift;
-    for (Vec3f& n : mesh_.normals) n = normalized(n * inverse);
-    for (Vec3& light : lights_) light = light * toDouble(scale) + toDouble(shift);
-    result.fit = toDouble(scale);
+Vec3 Builder::stretch(std::size_t firstVertex, std::size_t firstLight, Vec3 min, Vec3 max) {
+  Box3f box;
+  for (std::size_t i = firstVertex; i < mesh_.positions.size(); ++i) box.add(mesh_.positions[i]);
+  if (box.empty()) return {1, 1, 1};
+  const Vec3f lo = box.min, extent = box.size(), wanted = toFloat(max - min), to = toFloat(min);
+  Vec3f scale{1, 1, 1}, shift{};
+  for (int i = 0; i < 3; ++i) {
+    if (extent[i] > 1e-6f && wanted[i] > 0) scale[i] = wanted[i] / extent[i];
+    shift[i] = to[i] - lo[i] * scale[i];
   }
+  const Vec3f inverse{1 / scale.x, 1 / scale.y, 1 / scale.z};
+  for (std::size_t i = firstVertex; i < mesh_.positions.size(); ++i) {
+    mesh_.positions[i] = mesh_.positions[i] * scale + shift;
+    mesh_.normals[i] = normalized(mesh_.normals[i] * inverse);
+  }
+  for (std::size_t i = firstLight; i < lights_.size(); ++i)
+    lights_[i] = lights_[i] * toDouble(scale) + toDouble(shift);
+  return toDouble(scale);
+}
+
+Builder::Result Builder::finish() {
+  Result result;
+  result.fit = stretch(0, 0, {left(), front(), 0}, {right(), back(), height()});
   result.mesh = std::move(mesh_);
   result.slots = std::move(slots_);
   result.lights = std::move(lights_);

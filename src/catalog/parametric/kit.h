@@ -113,6 +113,15 @@ class Builder {
     mirroredX([&] { mirroredY(f); });
   }
 
+  // Parts made inside f, stretched together to fill a box (given in the transform of the outermost level):
+  // for what grows freely, so that what carries it keeps its shape.
+  template <class F>
+  void fitted(Vec3 min, Vec3 max, F&& f) {
+    const std::size_t vertices = mesh_.positions.size(), lights = lights_.size();
+    f();
+    stretch(vertices, lights, min, max);
+  }
+
   // --- Solids (kit_solids.cpp) ---
   // A board or block with a small round on every edge.
   void box(Vec3 min, Vec3 max, double bevel = kBevel, Grain grain = Grain::Auto);
@@ -216,6 +225,9 @@ class Builder {
   Result finish();
 
  private:
+  // Vertices and lights from these on; returns the factors.
+  Vec3 stretch(std::size_t firstVertex, std::size_t firstLight, Vec3 min, Vec3 max);
+
   Vec3 size_;
   Transform transform_;
   Mesh mesh_;

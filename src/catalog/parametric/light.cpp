@@ -370,7 +370,8 @@ void wallLamp(Builder& b, const Parameters& p) {
         },
         32, 14, 0.004);
     b.slot("fitting");
-    b.roundedBox({-0.75 * w, k - 0.012, 0.1 * h}, {0.75 * w, k, 0.95 * h}, 0.004, 2);
+    b.roundedBox({-0.98 * w, k - 0.012, 0.84 * h}, {0.98 * w, k, 0.99 * h}, 0.004, 2);
+    b.roundedBox({-0.3 * w, k - 0.0115, 0.25 * h}, {0.3 * w, k - 0.0005, 0.86 * h}, 0.004, 2);
     b.bulb({0, k - 0.5 * (k - f), 0.72 * h}, 0.022);
     b.rod({0, k - 0.5 * (k - f), 0.4 * h}, {0, k - 0.01, 0.4 * h}, 0.006);
     return;
@@ -506,7 +507,7 @@ void ceilingLamp(Builder& b, const Parameters& p) {
 }
 
 // Candles on a plate or in holders.
-void candles(Builder& b, const Parameters& p) {
+void candlePlate(Builder& b, const Parameters& p) {
   const double r = spread(b), h = b.height();
   b.slot("holder");
   b.within(Transform::scaling({b.width() / (2 * r), b.depth() / (2 * r), 1}), [&] {
@@ -549,7 +550,7 @@ void addLights(Generators& to) {
   to["deskLamp"] = deskLamp;
   to["wallLamp"] = wallLamp;
   to["ceilingLamp"] = ceilingLamp;
-  to["candles"] = candles;
+  to["candlePlate"] = candlePlate;
 }
 
 }  // namespace idap::parametric
