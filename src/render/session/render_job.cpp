@@ -10,13 +10,11 @@
 #include <chrono>
 #include <mutex>
 #include <numeric>
+#include <optional>
 
 #include "render/integrator/camera_ray.h"
-#include "render/integrator/path.h"
-#if __has_include("render/integrator/classic.h")
 #include "render/integrator/classic.h"
-#define IDAP_HAS_CLASSIC 1
-#endif
+#include "render/integrator/path.h"
 
 namespace idap::render {
 
@@ -50,6 +48,7 @@ class Job {
   }
 
   RenderStats run() {
+    if (settings_.integrator == IntegratorKind::Classic) classic_.emplace(scene_);
     start_ = Clock::now();
     const auto began = static_cast<int>(*std::ranges::min_element(film_.weight));
     int done = began;
@@ -147,11 +146,9 @@ class Job {
   }
 
   // The surface of 1993, with this integrator's features beside it.
-  PathSample classic([[maybe_unused]] const Ray& ray) const {
+  PathSample classic(const Ray& ray) const {
     PathSample out;
-#ifdef IDAP_HAS_CLASSIC
-    out.radiance = classicRadiance(scene_, ray);
-#endif
+    out.radiance = classic_->trace(ray);
     Hit hit;
     if (scene_.intersect(ray, hit, kSeenByCamera, true)) {
       const Interaction at = scene_.interaction(ray, hit);
@@ -169,6 +166,7 @@ class Job {
   const Progress& progress_;
   CameraRays rays_;
   PathTracer tracer_;
+  std::optional<ClassicTracer> classic_;
   int tilesX_, tilesY_;
   int log2Samples_;
   std::vector<int> order_;
