@@ -76,7 +76,8 @@ TEST(Sh3d, WallsTurnTheirPlanUpAndKeepTheirHands) {
 TEST(Sh3d, LevelsRoomsAndWhatIsOnThem) {
   const ReadResult read = readXml(
       "<level id='l0' name='Ground' elevation='0' floorThickness='12' height='250' elevationIndex='0'/>"
-      "<level id='l1' name='Upper' elevation='262' floorThickness='12' height='240' visible='false'/>"
+      "<level id='l1' name='Upper' elevation='262' floorThickness='12' height='240' visible='false' "
+      "viewable='false'/>"
       "<room level='l1' name='Bath' areaVisible='true' ceilingVisible='false' floorColor='FF102030' "
       "nameAngle='0.5'>"
       "<textStyle attribute='nameStyle' fontSize='22' bold='true'/>"
@@ -86,7 +87,8 @@ TEST(Sh3d, LevelsRoomsAndWhatIsOnThem) {
   ASSERT_EQ(read.home.levels.size(), 2u);
   const auto upper = *++read.home.levels.begin();
   EXPECT_NEAR(upper.second->elevation, 2.62, kExact);
-  EXPECT_FALSE(upper.second->visible);
+  EXPECT_TRUE(upper.second->visible) << "hidden only while the level below was edited";
+  EXPECT_FALSE(upper.second->viewable);
   ASSERT_EQ(read.home.rooms.size(), 2u) << "the one with two good points is dropped";
   const Room& bath = *read.home.rooms.begin()->second;
   EXPECT_EQ(bath.level, upper.first);

@@ -45,7 +45,8 @@ void readLevel(Sh3dContext& context, const Sh3dElement& element) {
   level.height = element.length("height", level.height);
   const double order = element.number("elevationIndex", 0);
   if (std::abs(order) < 1e6) level.order = int(order);
-  level.visible = element.flag("visible", true);
+  // The file's "visible" only tells which level was being edited (those above it are out of the way); what
+  // the user chose to hide is "viewable".
   level.viewable = element.flag("viewable", true);
   const LevelId id = context.home.newId<LevelId>();
   if (!context.levels.emplace(element.text("id"), id).second)
