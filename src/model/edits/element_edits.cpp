@@ -1,0 +1,270 @@
+#include "model/edits/element_edits.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "base/error.h"
+#include "model/edits/wall_edits.h"
+#include "model/room_geometry.h"
+
+namespace idap {
+
+namespace {
+
+template <class IdType>
+std::set<IdType> setOf(const std::vector<IdType>& ids) {
+  return {ids.begin(), ids.end()};
+}
+template <class IdType>
+std::vector<IdType> listOf(const std::set<IdType>& ids) {
+  return {ids.begin(), ids.end()};
+}
+
+// Changes the elements of these ids that exist.
+template <class IdType, class T, class F>
+void changeEach(Table<IdType, T>& table, const std::vector<IdType>& ids, F change) {
+  for (const IdType id : ids)
+    if (const T* found = table.find(id)) {
+      T copy = *found;
+      change(copy);
+      table.set(id, std::move(copy));
+    }
+}
+template <class IdType, class T>
+void eraseEach(Table<IdType, T>& table, const std::vector<IdType>& ids) {
+  for (const IdType id : ids) table.erase(id);
+}
+
+// A rigid motion of the plan.
+struct Motion {
+  double angle = 0;
+  Vec2 about, by;
+  double rise = 0;
+
+  Vec2 operator()(Vec2 p) const { return (angle == 0 ? p : about + rotated(p - about, angle)) + by; }
+  Vec3 operator()(Vec3 p) const {
+    const Vec2 q = (*this)(Vec2{p.x, p.y});
+    return {q.x, q.y, p.z + rise};
+  }
+  Vec2 vector(Vec2 v) const { return angle == 0 ? v : rotated(v, angle); }
+};
+
+void moveWalls(Home& next, const std::vector<WallId>& walls, const Motion& motion) {
+  const std::set<WallId> selected = setOf(walls);
+  const Home before = next;
+  for (const WallId id : selected) {
+    const Wall* wall = before.walls.find(id);
+    if (!wall) continue;
+    Wall moved = *wall;
+    moved.start = motion(wall->start);
+    moved.end = motion(wall->end);
+    next = replaceWall(next, id, moved);
+  }
+  // Then the ends of walls that stay but are joined to one that went.
+  for (const WallId id : selected) {
+    const Wall* wall = before.walls.find(id);
+    if (!wall) continue;
+    for (const bool atEnd : {false, true}) {
+      const WallId joined = atEnd ? wall->neighbourAtEnd : wall->neighbourAtStart;
+      const Wall* other = before.walls.find(joined);
+      if (!other || selected.contains(joined)) continue;
+      const Vec2 corner = atEnd ? wall->end : wall->start;
+      const bool itsStart = length(other->start - corner) <= length(other->end - corner);
+      if (length((itsStart ? other->start : other->end) - corner) >
+          std::max(wall->thickness, other->thickness))
+        continue;
+      Wall followed = *next.walls.find(joined);
+      (itsStart ? followed.start : followed.end) = motion(corner);
+      next = replaceWall(next, joined, followed, itsStart ? WallEnd::End : WallEnd::Start);
+    }
+  }
+}
+
+Home moveBy(const Home& home, const Elements& chosen, const Motion& motion) {
+  const Elements all = withGroups(home, chosen);
+  Home next = home;
+  moveWalls(next, all.walls, motion);
+  const std::set<WallId> walls = setOf(all.walls);
+  const auto movePiece = [&](Piece& piece) {
+    piece.position = motion(piece.position);
+    piece.angle += motion.angle;
+  };
+  changeEach(next.openings, all.openings, [&](Opening& opening) {
+    // One in a wall that moves has moved with it already.
+    if (opening.wall && walls.contains(opening.wall))
+      opening.position.z += motion.rise;
+    else
+      movePiece(opening);
+  });
+  changeEach(next.furniture, all.furniture, movePiece);
+  changeEach(next.rooms, all.rooms, [&](Room& room) {
+    for (Vec2& p : room.points) p = motion(p);
+  });
+  changeEach(next.cameras, all.cameras, [&](Camera& camera) {
+    camera.eye = motion(camera.eye);
+    camera.yaw += motion.angle;
+  });
+  changeEach(next.dimensions, all.dimensions, [&](Dimension& dimension) {
+    dimension.start = motion(dimension.start);
+    dimension.end = motion(dimension.end);
+  });
+  changeEach(next.labels, all.labels, [&](Label& label) {
+    label.position = motion(label.position);
+    label.angle += motion.angle;
+  });
+  changeEach(next.polylines, all.polylines, [&](Polyline& line) {
+    for (Vec2& p : line.points) p = motion(p);
+  });
+  return next;
+}
+
+}  // namespace
+
+Elements withGroups(const Home& home, const Elements& elements) {
+  std::set<GroupId> groups = setOf(elements.groups);
+  for (std::size_t before = 0; before != groups.size();) {
+    before = groups.size();
+    for (const auto& [id, group] : home.groups)
+      if (group->parent && groups.contains(group->parent)) groups.insert(id);
+  }
+  std::set<OpeningId> openings = setOf(elements.openings);
+  std::set<FurnitureId> furniture = setOf(elements.furniture);
+  if (!groups.empty()) {
+    for (const auto& [id, opening] : home.openings)
+      if (groups.contains(opening->group)) openings.insert(id);
+    for (const auto& [id, piece] : home.furniture)
+      if (groups.contains(piece->group)) furniture.insert(id);
+  }
+  Elements all;
+  all.walls = listOf(setOf(elements.walls));
+  all.rooms = listOf(setOf(elements.rooms));
+  all.openings = listOf(openings);
+  all.furniture = listOf(furniture);
+  all.groups = listOf(groups);
+  all.cameras = listOf(setOf(elements.cameras));
+  all.dimensions = listOf(setOf(elements.dimensions));
+  all.labels = listOf(setOf(elements.labels));
+  all.polylines = listOf(setOf(elements.polylines));
+  return all;
+}
+
+Home deleteElements(const Home& home, const Elements& elements) {
+  Elements all = withGroups(home, elements);
+  const std::set<WallId> walls = setOf(all.walls);
+  for (const auto& [id, opening] : home.openings)
+    if (opening->wall && walls.contains(opening->wall)) all.openings.push_back(id);
+  Home next = home;
+  eraseEach(next.walls, all.walls);
+  eraseEach(next.rooms, all.rooms);
+  eraseEach(next.openings, all.openings);
+  eraseEach(next.furniture, all.furniture);
+  eraseEach(next.groups, all.groups);
+  eraseEach(next.cameras, all.cameras);
+  eraseEach(next.dimensions, all.dimensions);
+  eraseEach(next.labels, all.labels);
+  eraseEach(next.polylines, all.polylines);
+  for (const auto& [id, wall] : next.walls) {
+    if (!walls.contains(wall->neighbourAtStart) && !walls.contains(wall->neighbourAtEnd)) continue;
+    Wall freed = *wall;
+    if (walls.contains(freed.neighbourAtStart)) freed.neighbourAtStart = {};
+    if (walls.contains(freed.neighbourAtEnd)) freed.neighbourAtEnd = {};
+    next.walls.set(id, std::move(freed));
+  }
+  // Groups that this emptied, from the inside outwards; groups that were empty before stay.
+  const auto inhabited = [](const Home& h) {
+    std::set<GroupId> groups;
+    for (const auto& [id, opening] : h.openings) groups.insert(opening->group);
+    for (const auto& [id, piece] : h.furniture) groups.insert(piece->group);
+    for (const auto& [id, group] : h.groups) groups.insert(group->parent);
+    return groups;
+  };
+  const std::set<GroupId> before = inhabited(home);
+  for (bool again = !home.groups.empty(); again;) {
+    again = false;
+    const std::set<GroupId> now = inhabited(next);
+    for (const auto& [id, group] : next.groups)
+      if (before.contains(id) && !now.contains(id)) again = next.groups.erase(id);
+  }
+  return next;
+}
+
+Home moveElements(const Home& home, const Elements& elements, Vec3 by) {
+  return moveBy(home, elements, Motion{0, {}, {by.x, by.y}, by.z});
+}
+
+Home turnElements(const Home& home, const Elements& elements, Vec2 about, double angle) {
+  return moveBy(home, elements, Motion{angle, about, {}, 0});
+}
+
+Home resizeFurniture(const Home& home, FurnitureId id, Vec3 size) {
+  Home next = home;
+  changeEach(next.furniture, {id}, [size](Furniture& piece) { piece.size = size; });
+  return next;
+}
+
+Home resizeOpening(const Home& home, OpeningId id, Vec3 size) {
+  Home next = home;
+  changeEach(next.openings, {id}, [size](Opening& opening) { opening.size = size; });
+  return next;
+}
+
+GroupEdit groupElements(const Home& home, const Elements& elements, std::string name) {
+  std::set<GroupId> parents;
+  const auto gather = [&](const auto& table, const auto& ids, auto member) {
+    for (const auto id : ids)
+      if (const auto* found = table.find(id)) parents.insert(found->*member);
+  };
+  gather(home.openings, elements.openings, &Opening::group);
+  gather(home.furniture, elements.furniture, &Furniture::group);
+  gather(home.groups, elements.groups, &Group::parent);
+  if (parents.empty()) throw InvalidHome("there is nothing to group");
+  // A group that is itself selected cannot hold the new one.
+  GroupId parent = parents.size() == 1 ? *parents.begin() : GroupId{};
+  if (std::find(elements.groups.begin(), elements.groups.end(), parent) != elements.groups.end()) parent = {};
+  Home next = home;
+  const auto id = next.newId<GroupId>();
+  next.groups.set(id, Group{parent, std::move(name), true});
+  changeEach(next.openings, elements.openings, [id](Opening& opening) { opening.group = id; });
+  changeEach(next.furniture, elements.furniture, [id](Furniture& piece) { piece.group = id; });
+  changeEach(next.groups, elements.groups, [id](Group& group) { group.parent = id; });
+  return {std::move(next), id};
+}
+
+Home ungroup(const Home& home, GroupId id) {
+  const Group* group = home.groups.find(id);
+  if (!group) throw InvalidHome("group " + std::to_string(id.value) + " does not exist");
+  Home next = home;
+  const auto lift = [&](auto& table, auto member) {
+    for (const auto& [elementId, element] : table) {
+      if (!((*element).*member == id)) continue;
+      auto copy = *element;
+      copy.*member = group->parent;
+      table.set(elementId, std::move(copy));
+    }
+  };
+  lift(next.openings, &Opening::group);
+  lift(next.furniture, &Furniture::group);
+  lift(next.groups, &Group::parent);
+  next.groups.erase(id);
+  return next;
+}
+
+RoomEdit addRoom(const Home& home, Room room) {
+  Home next = home;
+  const auto id = next.newId<RoomId>();
+  next.rooms.set(id, std::move(room));
+  return {std::move(next), id};
+}
+
+RoomEdit addRoomAt(const Home& home, LevelId level, Vec2 point, std::string name) {
+  std::optional<Polygon> outline = closedAreaAt(home, level, point);
+  if (!outline) throw InvalidHome("no walls close around this point");
+  Room room;
+  room.level = level;
+  room.name = std::move(name);
+  room.points = std::move(*outline);
+  return addRoom(home, std::move(room));
+}
+
+}  // namespace idap
