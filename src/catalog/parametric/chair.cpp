@@ -509,7 +509,7 @@ void stool(Builder& b, const Parameters& p) {
               [](double t) {
                 return roundedRectangle({-0.024, -0.011 - 0.003 * t}, {0.024, 0.011}, 0.003, 2);
               },
-              {1, 0, 0.001});
+              {1, 0, 0.3});
     });
   }
 }

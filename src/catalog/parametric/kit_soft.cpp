@@ -186,8 +186,8 @@ void Builder::surface(const Surface& f, int cellsU, int cellsV, double thickness
     }
     Mesh edge;
     appendGrid(edge, strip, n, 4, true);
-    // Along the first row of u the strip's way (u) x (to the back) points outward already; and so on around.
-    if (alongU == last)
+    // Where a strip's way (along the rim) x (to the back) points into the shell, it is turned.
+    if (alongU != last)
       for (auto& t : edge.triangles) std::swap(t[1], t[2]);
     append(part, edge);
   };

@@ -424,7 +424,7 @@ void pouf(Builder& b, const Parameters& p) {
           [&](double u, double v) {
             const double a = 2 * kPi * u, t = kPi * (v - 0.5);
             const double lobe = 1 - 0.09 * (1 - std::pow(std::abs(std::sin(7 * a)), 0.5)) * std::cos(t);
-            const double ring = r * std::pow(std::max(0.0, std::cos(t)), 0.45) * lobe;
+            const double ring = v > 0 && v < 1 ? r * std::pow(std::cos(t), 0.45) * lobe : 0;
             return Vec3{ring * std::cos(a), ring * std::sin(a),
                         h / 2 + h / 2 * (t > 0 ? 1 : -1) * std::abs(std::sin(t)) -
                             0.02 * std::exp(-std::pow(ring / (0.15 * r), 2)) * (v > 0.5 ? 1 : 0)};
