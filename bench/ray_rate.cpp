@@ -50,8 +50,9 @@ Mesh box(Vec3f a, Vec3f b) {
   return m;
 }
 
-// A room of 6 x 5 x 2.6 m with a table, six chairs, shelves full of things, a window and nine lamps.
-std::shared_ptr<const Scene> furnishedRoom() {
+// A room of 6 x 5 x 2.6 m with a table, six chairs, shelves full of things, a window and nine lamps. By day
+// its bulbs are emissive meshes and sun and sky come in; in the evening there are nine spheres of light only.
+std::shared_ptr<const Scene> furnishedRoom(bool evening) {
   auto scene = std::make_shared<Scene>();
   const auto surface = [&](Rgb color, float roughness, float metalness = 0, Rgb emission = {}) {
     Surface s;
@@ -107,8 +108,14 @@ std::shared_ptr<const Scene> furnishedRoom() {
   }
   put(plant, blue, at(2.3f, 1.8f, 0, 0));
   put(plant, clay, at(-2.4f, -1.9f, 0, 1));
-  for (int i = 0; i < 9; ++i)
-    put(bulb, glow, at(static_cast<float>(i % 3) * 2 - 2, static_cast<float>(i / 3) * 1.6f - 1.6f, 2.4f, 0));
+  for (int i = 0; i < 9; ++i) {
+    const float x = static_cast<float>(i % 3) * 2 - 2, y = static_cast<float>(i / 3) * 1.6f - 1.6f;
+    if (evening)
+      scene->lamps.push_back({.position = {x, y, 2.45f}, .radius = 0.06f, .intensity = {60, 50, 35}});
+    else
+      put(bulb, glow, at(x, y, 2.4f, 0));
+  }
+  if (evening) return scene;
   scene->sun = {normalized(Vec3f{0.8f, 0.3f, 0.5f}), {60000, 55000, 45000}};
   scene->sky = {16, 8, std::vector<Rgb>(128, Rgb{3000, 3500, 4500})};
   scene->portals.push_back({{3.1f, -1, 0.9f}, {0, 2, 0}, {0, 0, 1.3f}});
@@ -195,6 +202,7 @@ int main(int argc, char** argv) {
   camera.eye = {2.6f, -2.2f, 1.5f};
   camera.forward = normalized(Vec3f{-1, 0.85f, -0.15f});
   camera.up = normalized(cross(cross(camera.forward, Vec3f{0, 0, 1}), camera.forward));
-  measure("furnished room", furnishedRoom(), camera, spp);
+  measure("furnished room by day", furnishedRoom(false), camera, spp);
+  measure("furnished room in the evening", furnishedRoom(true), camera, spp);
   return 0;
 }

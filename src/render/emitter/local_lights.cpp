@@ -55,7 +55,8 @@ void LocalLights::addTriangles(const CompiledScene& scene, std::uint32_t i,
   auto& table = lightOfTriangle_[i];
   table.assign(mesh.triangles.size(), kNone);
   for (std::uint32_t k = 0; k < mesh.triangles.size(); ++k) {
-    const SurfaceData& surface = scene.surface(instance.surfaces[mesh.slotOf(k)]);
+    const std::uint32_t surfaceIndex = instance.surfaces[mesh.slotOf(k)];
+    const SurfaceData& surface = scene.surface(surfaceIndex);
     if (!surface.emits) continue;
     const auto& c = mesh.triangles[k];
     Triangle light;
@@ -70,6 +71,8 @@ void LocalLights::addTriangles(const CompiledScene& scene, std::uint32_t i,
     light.radiance = surface.emission;
     light.instance = i;
     light.triangle = k;
+    light.surface = surfaceIndex;
+    light.mayPass = surface.mayPass;
     light.lightGroup = instance.lightGroup;
     light.frontOnly = closed[k];
     LightBounds b;
@@ -108,19 +111,18 @@ bool LocalLights::sample(const Receiver& at, float choice, Vec2f u, LightSample&
   s.pdf = chosen.probability * light.inverseArea * d2 / cosine;
   s.weight = light.radiance * (1 / s.pdf);
   s.lightGroup = light.lightGroup;
-  const SurfaceData& surface = scene_.surface(scene_.surfaceOfSlot(
-      light.instance,
-      scene_.scene().meshes[scene_.scene().instances[light.instance].mesh]->slotOf(light.triangle)));
-  if (surface.mayPass) {
-    const Mesh& mesh = *scene_.scene().meshes[scene_.scene().instances[light.instance].mesh];
-    Vec2f uv{};
-    if (!mesh.uvs.empty()) {
-      const auto& c = mesh.triangles[light.triangle];
-      uv = mesh.uvs[c[0]] * (1 - b.x - b.y) + mesh.uvs[c[1]] * b.x + mesh.uvs[c[2]] * b.y;
-    }
-    s.weight *= valuesAt(surface, uv).opacity;
-  }
+  if (light.mayPass) s.weight *= opacityAt(light, b);
   return true;
+}
+
+float LocalLights::opacityAt(const Triangle& light, Vec2f b) const {
+  const Mesh& mesh = *scene_.scene().meshes[scene_.scene().instances[light.instance].mesh];
+  Vec2f uv{};
+  if (!mesh.uvs.empty()) {
+    const auto& c = mesh.triangles[light.triangle];
+    uv = mesh.uvs[c[0]] * (1 - b.x - b.y) + mesh.uvs[c[1]] * b.x + mesh.uvs[c[2]] * b.y;
+  }
+  return valuesAt(scene_.surface(light.surface), uv).opacity;
 }
 
 bool LocalLights::sampleLamp(const Receiver& at, std::uint32_t index, Vec2f u, LightSample& s) const {

@@ -37,11 +37,13 @@ class LocalLights {
     Vec3f normal;  // unit, front
     float inverseArea = 0.0f;
     Rgb radiance{};
-    std::uint32_t instance = 0, triangle = 0;
+    std::uint32_t instance = 0, triangle = 0, surface = 0;
     std::uint16_t lightGroup = 0;
+    bool mayPass = false;    // has gaps, through which it does not shine
     bool frontOnly = false;  // part of a closed shell: its back is never seen from outside
   };
   void addTriangles(const CompiledScene& scene, std::uint32_t instance, std::vector<LightBounds>& bounds);
+  float opacityAt(const Triangle& light, Vec2f barycentric) const;
   bool sampleLamp(const Receiver& at, std::uint32_t lamp, Vec2f u, LightSample& sample) const;
 
   const CompiledScene& scene_;
