@@ -40,26 +40,23 @@ render::Camera toRenderCamera(const Camera& camera, const BuiltScene& built, dou
 
 Camera topCamera(const Home& home, double aspect) {
   Box3 box;
-  const std::vector<Storey> storeys = shownStoreys(home);
-  const auto storeyOf = [&](LevelId level) {
-    return std::find_if(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == level; });
-  };
+  const std::vector<Storey> storeys = shownStoreys(home, false);
   for (const auto& [id, wall] : home.walls) {
-    const auto storey = storeyOf(wall->level);
-    if (storey == storeys.end()) continue;
+    const std::size_t storey = storeyOf(storeys, wall->level);
+    if (storey == storeys.size()) continue;
     for (const Vec2& p : wallCentreLine(*wall)) {
-      box.add(Vec3{p.x, p.y, storey->elevation});
-      box.add(Vec3{p.x, p.y, storey->elevation + std::max(wall->heightAtStart, wall->heightAtEnd)});
+      box.add(Vec3{p.x, p.y, storeys[storey].elevation});
+      box.add(Vec3{p.x, p.y, storeys[storey].elevation + std::max(wall->heightAtStart, wall->heightAtEnd)});
     }
   }
   for (const auto& [id, room] : home.rooms) {
-    const auto storey = storeyOf(room->level);
-    if (storey == storeys.end() || !room->floorVisible) continue;
-    for (const Vec2& p : room->points) box.add(Vec3{p.x, p.y, storey->elevation});
+    const std::size_t storey = storeyOf(storeys, room->level);
+    if (storey == storeys.size() || !room->floorVisible) continue;
+    for (const Vec2& p : room->points) box.add(Vec3{p.x, p.y, storeys[storey].elevation});
   }
   if (box.empty()) {
     for (const auto& [id, piece] : home.furniture) {
-      if (!isShown(home, *piece)) continue;
+      if (!isShownOn(home, storeys, *piece)) continue;
       const double z = elevationOf(home, piece->level) + piece->position.z;
       for (const Vec2& p : footprint(*piece))
         box.add(Vec3{p.x, p.y, z}), box.add(Vec3{p.x, p.y, z + piece->size.z});

@@ -66,7 +66,7 @@ bool wallSpanAt(const WallSolid& wall, const OpeningCut& cut, double u, double& 
 std::vector<OpeningCut> openingCuts(const Home& home, const std::vector<Storey>& storeys) {
   std::vector<OpeningCut> cuts;
   for (const auto& [id, opening] : home.openings) {
-    if (!opening->cutsWalls || !isShown(home, *opening)) continue;
+    if (!opening->cutsWalls || !isShownOn(home, storeys, *opening)) continue;
     const auto storey =
         std::find_if(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == opening->level; });
     if (storey == storeys.end() || !isFinite(opening->position) || !isFinite(opening->size)) continue;

@@ -68,10 +68,7 @@ double fullHeight(const WallSolid& wall) {
 std::vector<StairHole> stairHoles(const Home& home, const std::vector<Storey>& storeys) {
   std::vector<StairHole> holes;
   for (const auto& [id, piece] : home.furniture) {
-    if (piece->staircaseCutOut.empty() || !isShown(home, *piece)) continue;
-    const bool shown =
-        std::any_of(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == piece->level; });
-    if (!shown) continue;
+    if (piece->staircaseCutOut.empty() || !isShownOn(home, storeys, *piece)) continue;
     std::vector<Polygon> rings;
     try {
       rings = parseSvgPath(piece->staircaseCutOut);

@@ -87,15 +87,11 @@ class Build {
 
  private:
   static std::vector<Storey> storeysOf(const Home& home, const BuildOptions& options) {
-    std::vector<Storey> storeys = shownStoreys(home);
+    std::vector<Storey> storeys = shownStoreys(home, options.hiddenLevels.value_or(options.ceilings));
     if (!options.ceilings) dropLids(home, storeys);
     return storeys;
   }
-  bool isOnShownStorey(const Piece& piece) const {
-    return isShown(home_, piece) &&
-           (home_.levels.empty() || std::any_of(storeys_.begin(), storeys_.end(),
-                                                [&](const Storey& s) { return s.id == piece.level; }));
-  }
+  bool isOnShownStorey(const Piece& piece) const { return isShownOn(home_, storeys_, piece); }
 
   std::uint32_t addSurface(render::Surface surface) {
     built_.scene->surfaces.push_back(std::move(surface));

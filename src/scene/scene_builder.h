@@ -24,7 +24,10 @@ enum class LampPolicy {
 
 struct BuildOptions {
   bool ceilings = true;  // false: open from above (rooms' ceilings and slabs over the top left out)
-  bool ground = true;    // the land around the house
+  // Levels that the plan hides at the moment (Level::visible); none: as ceilings, so that a view from inside
+  // is of the whole house and one from above of the levels that are shown.
+  std::optional<bool> hiddenLevels;
+  bool ground = true;  // the land around the house
   LampPolicy lamps = LampPolicy::Auto;
   std::optional<std::int64_t> time;  // ms since 1970 (UTC); none: the home's own
   double cloudiness = 0;             // 0 clear .. 1 overcast

@@ -34,17 +34,36 @@ bool isUnder(const Home& home, const Storey& above, const Wall& wall) {
 
 }  // namespace
 
-std::vector<Storey> shownStoreys(const Home& home) {
+std::vector<Storey> shownStoreys(const Home& home, bool hiddenToo) {
   std::vector<Storey> storeys;
   if (home.levels.empty()) return {{LevelId{}, 0, Level{}.floorThickness, home.wallHeight}};
   for (const auto& [id, level] : home.levels) {
-    if (level->visible && level->viewable) {
+    if (level->viewable && (level->visible || hiddenToo)) {
       storeys.push_back({id, level->elevation, std::max(level->floorThickness, 0.0), level->height});
     }
   }
   std::stable_sort(storeys.begin(), storeys.end(),
                    [](const Storey& a, const Storey& b) { return a.elevation < b.elevation; });
   return storeys;
+}
+
+std::size_t storeyOf(const std::vector<Storey>& storeys, LevelId level) {
+  const auto found =
+      std::find_if(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == level; });
+  return static_cast<std::size_t>(found - storeys.begin());
+}
+
+bool isShownOn(const Home& home, const std::vector<Storey>& storeys, const Piece& piece) {
+  if (!piece.visible || storeyOf(storeys, piece.level) == storeys.size()) return false;
+  GroupId above = piece.group;
+  // Bounded, so that groups in a circle cannot hang a home that was not validated.
+  for (std::size_t steps = 0; above && steps <= home.groups.size(); ++steps) {
+    const Group* group = home.groups.find(above);
+    if (!group) break;
+    if (!group->visible) return false;
+    above = group->parent;
+  }
+  return true;
 }
 
 std::vector<WallSolid> wallSolids(const Home& home, const std::vector<Storey>& storeys) {

@@ -16,8 +16,13 @@ struct Storey {
   double height = 0;          // floor to ceiling
 };
 
-// The storeys that are shown, from below. A home without levels has one at 0.
-std::vector<Storey> shownStoreys(const Home& home);
+// The storeys that are shown, from below: those the home lets be viewed, with or without the ones that are
+// hidden at the moment (Level::visible). A home without levels has one at 0.
+std::vector<Storey> shownStoreys(const Home& home, bool hiddenToo);
+// The storey of that level; storeys.size() for none.
+std::size_t storeyOf(const std::vector<Storey>& storeys, LevelId level);
+// True for a piece on one of the storeys that is not hidden itself or with its group.
+bool isShownOn(const Home& home, const std::vector<Storey>& storeys, const Piece& piece);
 
 struct WallSolid {
   WallId id;
