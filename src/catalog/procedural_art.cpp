@@ -81,11 +81,12 @@ ProceduralTexture landscape(const TextureRecipe& r) {
   for (std::uint32_t i = 0; i < kLayers; ++i) ridges.emplace_back(2, 1, 6, r.seed * 17 + i * 5);
   const PeriodicNoise weave(160, 160, r.seed);
   const PeriodicFbm brush(6, 30, 4, r.seed + 1), cloud(3, 9, 5, r.seed + 3);
+  const auto aspect = static_cast<float>(r.size.x / r.size.y);
   const float sunX = 0.3f + 0.4f * randomAt(r.seed, 1), sunY = 0.68f + 0.1f * randomAt(r.seed, 2);
   return paint(r, false, [&](float u, float v) {
     Color c = mixed(color(1), color(0), smoothStep(0.45f, 1.0f, v));
     c = mixed(c, color(1), 0.5f * smoothStep(0.0f, 0.5f, cloud(u, v)));
-    const float sun = std::sqrt((u - sunX) * (u - sunX) + (v - sunY) * (v - sunY));
+    const float sun = std::sqrt((u - sunX) * (u - sunX) * aspect * aspect + (v - sunY) * (v - sunY));
     c = mixed(c, color(2),
               std::fmax(1 - smoothStep(0.05f, 0.056f, sun), 0.5f * (1 - smoothStep(0.0f, 0.3f, sun))));
     for (int i = 0; i < kLayers; ++i) {

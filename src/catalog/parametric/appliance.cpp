@@ -30,7 +30,7 @@ void television(Builder& b, const Parameters& p) {
   // The thicker lower half holds the works.
   const double y1 = stand == "wall" ? b.back() : y + thin + 0.035;
   b.box({0.6 * b.left(), y + thin - 0.002, foot + 0.06 * h}, {0.6 * b.right(), y1, foot + 0.6 * h}, 0.012);
-  b.slot("stand");
+  if (stand != "wall") b.slot("stand");
   if (stand == "feet") {
     b.mirroredX([&] {
       const double x = 0.32 * b.width();

@@ -12,6 +12,7 @@ namespace {
 void stock(Builder& b, double x0, double x1, double y0, double y1, double z, double room, int key,
            double amount) {
   if (amount <= 0 || room < 0.1) return;
+  b.slot("vase");  // there even when no ornament happens to be
   const double w = x1 - x0;
   const bool split = w > 0.5 && Builder::random(key * 13 + 1) < 0.6;
   const double deep = std::min(y1 - y0, 0.26), things = std::min({room, 0.95 * (y1 - y0), 0.8 * w});
@@ -22,7 +23,9 @@ void stock(Builder& b, double x0, double x1, double y0, double y1, double z, dou
   const double end = split ? x0 + w * (0.45 + 0.2 * Builder::random(key * 13 + 3)) : x1;
   books(b, x0, end, y0 + 0.02, z, deep - 0.02, room, key, std::clamp(0.35 + 0.6 * amount, 0.1, 0.97));
   if (split) {
-    if (Builder::random(key * 13 + 4) < 0.55)
+    if (const double pick = Builder::random(key * 13 + 4); pick < 0.18 && x1 - end > 0.32)
+      bookPile(b, {(end + x1) / 2, (y0 + y1) / 2, z}, key);
+    else if (pick < 0.55)
       ornament(b, {(end + x1) / 2, (y0 + y1) / 2, z}, things, key + 3);
     else
       books(b, end + 0.06, x1, y0 + 0.02, z, deep - 0.02, room, key + 7, 0.5 + 0.45 * amount);

@@ -68,7 +68,9 @@ void feet(Builder& b, const std::string& style, Vec3 min, Vec3 max, double heigh
 // and "paper".
 void books(Builder& b, double x0, double x1, double y, double z, double depth, double room, int seed,
            double fill = 0.85);
-// A small vase, bowl, box or stack of books, by seed. Slots as above and "vase".
+// Three of them lying; slots as above.
+void bookPile(Builder& b, Vec3 base, int seed);
+// A small vase, bowl or ball, by seed. Slot "vase".
 void ornament(Builder& b, Vec3 base, double room, int seed);
 
 // A spout with a lever, its foot at `base`, reaching `reach` towards -y. The slot stays as it is.

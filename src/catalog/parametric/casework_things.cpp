@@ -26,6 +26,8 @@ void book(Builder& b, double thick, double deep, double tall, int seed) {
 
 void books(Builder& b, double x0, double x1, double y, double z, double depth, double room, int seed,
            double fill) {
+  for (const char* name : kBookSlots) b.slot(name);  // the same slots however many fit
+  b.slot("paper");
   double x = x0 + 0.004;
   const double end = x0 + (x1 - x0) * fill;
   int key = seed * 971;
@@ -54,20 +56,20 @@ void books(Builder& b, double x0, double x1, double y, double z, double depth, d
   }
 }
 
-void ornament(Builder& b, Vec3 base, double room, int seed) {
-  const int kind = static_cast<int>(4 * Builder::random(seed * 37 + 5));
-  const double h = std::min(0.8 * room, 0.16 + 0.1 * Builder::random(seed * 37 + 6));
-  if (kind == 3) {  // books lying
-    double z = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double t = 0.02 + 0.014 * Builder::random(seed * 37 + i), w = 0.25 - 0.02 * i;
-      b.within(Transform::translation(base + Vec3{-w / 2, -0.08, z}) * Transform::rotationY(kPi / 2) *
-                   Transform::translation({-t, 0, 0}),
-               [&] { book(b, t, 0.16, w, seed + i); });
-      z += t;
-    }
-    return;
+void bookPile(Builder& b, Vec3 base, int seed) {
+  double z = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double t = 0.02 + 0.014 * Builder::random(seed * 37 + i), w = 0.25 - 0.02 * i;
+    b.within(Transform::translation(base + Vec3{-w / 2, -0.08, z}) * Transform::rotationY(kPi / 2) *
+                 Transform::translation({-t, 0, 0}),
+             [&] { book(b, t, 0.16, w, seed + i); });
+    z += t;
   }
+}
+
+void ornament(Builder& b, Vec3 base, double room, int seed) {
+  const int kind = static_cast<int>(3 * Builder::random(seed * 37 + 5));
+  const double h = std::min(0.8 * room, 0.16 + 0.1 * Builder::random(seed * 37 + 6));
   b.slot("vase");
   if (kind == 0) {
     const double r = 0.3 * h;

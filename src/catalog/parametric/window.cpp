@@ -198,7 +198,7 @@ void curvedGlass(Builder& b, const Polygon& outline, double y) {
 void curvedFrame(Builder& b, const Polygon& outer, const Polygon& inner, double y0, double y1) {
   std::vector<Path> rings;
   for (const auto& [outline, y] :
-       {std::pair{&outer, y0}, {&outer, y1}, {&inner, y1}, {&inner, y0}, {&outer, y0}})
+       {std::pair{&outer, y0}, {&inner, y0}, {&inner, y1}, {&outer, y1}, {&outer, y0}})
     rings.push_back(atDepth(*outline, y));
   b.loft(rings, false, 0.5);
 }
