@@ -91,7 +91,7 @@ struct Meeting {
 std::optional<Meeting> meet(const Line& a, const Line& b, double reach) {
   const Vec2 da = normalized(a[1] - a[0]), db = normalized(b[1] - b[0]);
   const double turn = cross(da, db);
-  if (std::abs(turn) < 0.02) {
+  if (std::abs(turn) < 1e-3) {
     // One wall goes on in the other: they share the point in the middle if their sides are one line.
     if (dot(da, db) < 0 && length(a[0] - b[0]) < 0.002) return Meeting{(a[0] + b[0]) / 2};
     if (std::abs(turn) < 1e-4) return std::nullopt;
@@ -113,7 +113,11 @@ std::optional<Meeting> meet(const Line& a, const Line& b, double reach) {
   if (s > std::min(length(a[1] - a[0]), 4 * reach) || t > std::min(length(b[1] - b[0]), 4 * reach)) {
     return std::nullopt;
   }
-  if (s < -reach || t < -reach) return Meeting{a[0] - da * reach, 0, true};
+  if (s < -reach || t < -reach) {
+    // In one line but of different thickness there is no tip to cut off.
+    if (dot(da, db) < -0.95) return std::nullopt;
+    return Meeting{a[0] - da * reach, 0, true};
+  }
   return Meeting{a[0] + da * s};
 }
 
