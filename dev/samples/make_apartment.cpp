@@ -25,8 +25,7 @@ class Apartment {
     home_.site = {.latitude = 13.7563 * kPi / 180, .longitude = 100.5018 * kPi / 180, .timeZone = "Asia/Bangkok",
                   .time = 1797840000000,  // 2026-12-21 15:00 there
                   .compassPosition = {-1.5, kDepth + 1}, .compassDiameter = 1};
-    home_.environment.ground = {.material = {}, .color = Color{0.52f, 0.58f, 0.42f}, .texture = {}, .roughness = {},
-                                .metalness = {}, .transmission = {}};
+    home_.environment.ground = {.color = Color{0.52f, 0.58f, 0.42f}};
     buildShell();
     furnishLivingRoom();
     furnishKitchen();
@@ -135,7 +134,7 @@ class Apartment {
     join(north, west);
     join(west, south);
     const WallId partition = wall({kPartition, 0}, {kPartition, kDepth}, kInner, "warm-white-paint", "warm-white-paint");
-    const WallId bathroom = wall({kPartition, kBathroom}, {kWidth, kBathroom}, kInner, "dusty-blue-paint", "white-tiles");
+    wall({kPartition, kBathroom}, {kWidth, kBathroom}, kInner, "dusty-blue-paint", "white-tiles");
 
     const double o = kOuter / 2, i = kInner / 2;
     room("Living room", {{o, o}, {kPartition - i, o}, {kPartition - i, kDepth - o}, {o, kDepth - o}}, "oak-herringbone");
@@ -156,58 +155,63 @@ class Apartment {
   }
 
   void furnishLivingRoom() {
-    put("rug", {2.35, 2.05}, kEast, -1, {1.7, 2.4, 0});
+    put("rug", {2.1, 2.05}, kEast, -1, {2.6, 1.9, 0});
     put("sofa-three", {0.66, 2.05}, kEast);
     put("table-coffee", {2.0, 2.05}, kEast);
-    put("armchair", {2.3, 3.75}, kSouth - 0.3);
+    put("armchair-lounge", {1.75, 3.55}, kSouth + 0.35);
     put("tv-bench", {kPartition - 0.28, 2.05}, kWest);
-    put("tv", {kPartition - 0.28, 2.05}, kWest, 0.48);
-    put("lamp-floor", {0.45, 3.35});
-    put("plant-ficus", {0.55, 0.6});
+    put("tv-feet", {kPartition - 0.26, 2.05}, kWest, 0.48);
+    put("light-tripod", {0.5, 3.5});
+    put("plant-monstera", {0.72, 0.72}, kSouth, -1, {0.9, 0.9, 1.15});
     put("bookcase", {0.33, 4.25}, kEast);
-    put("table-side", {0.5, 0.95});
-    put("picture", {kPartition - 0.06, 4.3}, kWest, 1.3);
-    put("curtain", {1.0, 0.28}, kNorth);
-    put("curtain", {4.0, 0.28}, kNorth);
+    put("wall-clock", {1.0, kDepth - kOuter / 2 - 0.03}, kSouth, 2.0);
+    put("picture-landscape", {kPartition - kInner / 2 - 0.025, 4.75}, kWest, 1.35);
+    put("curtain-sheer", {0.95, 0.26}, kNorth, -1, {0.7, 0, 0});
+    put("curtain-sheer", {4.05, 0.26}, kNorth, -1, {0.7, 0, 0});
     // Dining
     put("table-pedestal", {3.55, 4.05});
     for (int k = 0; k < 4; ++k) {
       const double a = kPi / 4 + k * kPi / 2;
       put("chair-windsor", {3.55 + 0.72 * std::cos(a), 4.05 + 0.72 * std::sin(a)}, a - kPi / 2);
     }
-    put("lamp-pendant", {3.55, 4.05});
-    put("vase-flowers", {3.55, 4.05}, kSouth, 0.75);
+    put("light-dome", {3.55, 4.05});
+    put("plant-tulips", {3.45, 4.15}, kSouth, 0.75);
+    put("fruit-bowl", {3.75, 3.85}, kSouth, 0.75);
+    put("books-stack", {1.95, 2.25}, 0.4, 0.42);
+    put("candles", {2.05, 1.75}, kEast, 0.42);
   }
 
   void furnishKitchen() {
     const double y = kDepth - kOuter / 2 - 0.32;
-    put("kitchen-tall", {0.46, y});
+    put("fridge", {0.47, y - 0.03});
     put("kitchen-base-drawers", {1.16, y});
     put("kitchen-sink", {1.96, y});
     put("kitchen-hob", {2.66, y});
     put("kitchen-base", {3.26, y});
     put("kitchen-hood", {2.66, kDepth - kOuter / 2 - 0.25}, kSouth, 1.65);
+    put("kitchen-wall", {0.47, kDepth - kOuter / 2 - 0.18}, kSouth, 1.95, {0, 0, 0.55});
     put("kitchen-wall", {3.26, kDepth - kOuter / 2 - 0.18}, kSouth, 1.45);
   }
 
   void furnishBedroom() {
-    put("bed-double", {6.9, 4.58});
-    put("night-table", {5.72, 5.42});
-    put("night-table", {8.1, 5.42});
-    put("lamp-table", {5.72, 5.42}, kSouth, 0.55);
-    put("lamp-table", {8.1, 5.42}, kSouth, 0.55);
+    put("bed-upholstered", {6.9, 4.53});
+    put("night-table", {5.66, 5.42});
+    put("night-table", {8.14, 5.42});
+    put("light-bedside", {5.66, 5.42}, kSouth, 0.55);
+    put("light-bedside", {8.14, 5.42}, kSouth, 0.55);
     put("wardrobe-sliding", {7.35, kBathroom + 0.05 + 0.33}, kNorth);
-    put("vanity", {8.2, 3.35}, kWest);
-    put("stool", {7.75, 3.35});
-    put("lamp-ceiling", {6.9, 3.9});
-    put("picture", {6.9, kDepth - kOuter / 2 - 0.02}, kSouth, 1.55);
+    put("vanity-oval", {8.2, 3.4}, kWest);
+    put("vanity-stool", {7.8, 3.4}, kEast);
+    put("light-drum", {6.9, 3.75}, kSouth, -1, {0.5, 0.5, 0.45});
+    put("picture-dusk", {6.9, kDepth - kOuter / 2 - 0.025}, kSouth, 1.5);
   }
 
   void furnishBathroom() {
     put("bathtub", {kWidth - kOuter / 2 - 0.38, 1.15}, kWest);
     put("toilet", {5.75, kBathroom - 0.05 - 0.34});
-    put("washbasin-cabinet", {6.85, kBathroom - 0.05 - 0.25});
-    put("lamp-ceiling", {6.9, 1.1});
+    put("basin-cabinet", {6.75, kBathroom - 0.05 - 0.25});
+    put("light-flush", {6.9, 1.1});
+    put("towel-rail", {7.55, kBathroom - 0.05 - 0.05}, kSouth, 0.9);
   }
 
   void addCameras() {

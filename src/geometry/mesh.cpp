@@ -90,10 +90,8 @@ void append(Mesh& a, const Mesh& b, const Transformf& t, std::uint32_t slotOffse
   const Transformf cofactor = t.cofactor();
   const float sign = mirrors ? -1.0f : 1.0f;
 
-  a.positions.reserve(base + b.positions.size());
   for (const Vec3f& p : b.positions) a.positions.push_back(t.point(p));
   if (wantNormals) {
-    a.normals.reserve(a.positions.size());
     for (const Vec3f& n : b.normals) a.normals.push_back(unitOr(cofactor.vector(n) * sign, n));
   }
   if (!b.uvs.empty()) {
@@ -102,7 +100,6 @@ void append(Mesh& a, const Mesh& b, const Transformf& t, std::uint32_t slotOffse
   } else if (!a.uvs.empty()) {
     a.uvs.resize(a.positions.size());
   }
-  a.triangles.reserve(triangleBase + b.triangles.size());
   for (const auto& v : b.triangles) {
     if (mirrors) {
       a.triangles.push_back({base + v[0], base + v[2], base + v[1]});
@@ -112,7 +109,6 @@ void append(Mesh& a, const Mesh& b, const Transformf& t, std::uint32_t slotOffse
   }
   if (slotOffset != 0 || !b.slots.empty() || !a.slots.empty()) {
     a.slots.resize(triangleBase);
-    a.slots.reserve(a.triangles.size());
     for (std::size_t i = 0; i < b.triangles.size(); ++i) a.slots.push_back(slotOffset + b.slotOf(i));
   }
 }

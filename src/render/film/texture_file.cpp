@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <exception>
 
@@ -40,6 +42,7 @@ const char* kindOf(const Bytes& bytes) {
   if (text.starts_with("II*\0"sv) || text.starts_with("MM\0*"sv)) return "tif";
   if (text.size() > 12 && text.starts_with("RIFF") && text.substr(8, 4) == "WEBP") return "webp";
   if (text.starts_with("#?RADIANCE") || text.starts_with("#?RGBE")) return "hdr";
+  if (text.starts_with("P6") && text.size() > 2 && std::isspace(static_cast<unsigned char>(text[2]))) return "ppm";
   if (text.starts_with("\x76\x2f\x31\x01")) return "exr";
   if (looksLikeTarga(text)) return "tga";
   return nullptr;
@@ -91,6 +94,31 @@ Decoded decode(const Bytes& bytes, const char* kind) {
     d.samples[i] = static_cast<std::uint8_t>(std::lround(255.0f * (alpha ? v : linearToSrgb(v))));
   }
   return d;
+}
+
+// Binary portable pixmaps of 8 bits, which OpenImageIO reads from files only: "P6", width, height, 255, samples.
+Decoded decodePixmap(const Bytes& bytes) {
+  const std::string_view text = asText(bytes);
+  std::size_t at = 2;
+  const auto number = [&] {
+    while (at < text.size() && (std::isspace(static_cast<unsigned char>(text[at])) || text[at] == '#')) {
+      if (text[at] == '#') at = std::min(text.find('\n', at), text.size() - 1);
+      ++at;
+    }
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), value);
+    if (error != std::errc()) fail("is damaged: its header holds no number");
+    at = static_cast<std::size_t>(end - text.data());
+    return value;
+  };
+  const int width = number(), height = number(), white = number();
+  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide) fail("has a wrong size");
+  if (white != 255) fail("is a pixmap of another depth than 8 bits");
+  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
+  ++at;  // the one white space after the header
+  if (at > text.size() || text.size() - at < size) fail("is damaged: pixels are missing");
+  const auto* samples = reinterpret_cast<const std::uint8_t*>(text.data() + at);
+  return {width, height, 3, {samples, samples + size}};
 }
 
 // One to four channels as RGBA.
@@ -161,7 +189,7 @@ TexturePtr decodeTexture(const Bytes& bytes, bool srgb) {
   const char* kind = kindOf(bytes);
   if (!kind) fail("is not a picture of a known kind");
   try {
-    const Decoded decoded = decode(bytes, kind);
+    const Decoded decoded = std::string_view(kind) == "ppm" ? decodePixmap(bytes) : decode(bytes, kind);
     Texture texture = spread(decoded, srgb);
     if (std::max(texture.width, texture.height) > kMaxTextureSide) texture = shrunk(texture);
     return std::make_shared<const Texture>(std::move(texture));
