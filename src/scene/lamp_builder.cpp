@@ -125,6 +125,15 @@ Escape escapeFrom(Vec3f point, const Fixture& fixture, const std::vector<Triangl
   return escape;
 }
 
+// Light that comes through a shade takes on half of its tint; its luminance stays.
+Rgb tinted(Rgb light, Rgb shade) {
+  const Rgb through{light.x * std::sqrt(std::max(shade.x, 0.0f)),
+                    light.y * std::sqrt(std::max(shade.y, 0.0f)),
+                    light.z * std::sqrt(std::max(shade.z, 0.0f))};
+  const float l = luminance(through);
+  return l > 1e-3f ? through * (luminance(light) / l) : light;
+}
+
 // m2 of each slot that give light off, both sides of open sheets counted.
 std::vector<double> shiningAreas(const Fixture& fixture, const std::vector<Triangle>& triangles,
                                  std::size_t slots) {
@@ -204,8 +213,10 @@ LampLight lampLight(const Lamp& lamp, const Fixture& fixture,
       }
       if (area > 0) {
         light.slotEmission.resize(slots.size());
-        const auto luminance = static_cast<float>(surfaceLuminance(lumens, area));
-        for (const std::size_t slot : shining) light.slotEmission[slot] += color * luminance;
+        const auto brightness = static_cast<float>(surfaceLuminance(lumens, area));
+        for (const std::size_t slot : shining) {
+          light.slotEmission[slot] += tinted(color, slots[slot]->baseColor) * brightness;
+        }
         continue;
       }
     }

@@ -111,7 +111,11 @@ Regions WallBuilder::cutFace(const WallSolid& wall, const WallCut& cut, const Fa
   double low = 0, high = 0;
   const double uMiddle = std::clamp((std::max(uMin, o.box.min.x) + std::min(uMax, o.box.max.x)) / 2,
                                     o.box.min.x + 1e-6, o.box.max.x - 1e-6);
-  if (!wallSpanAt(wall, o, uMiddle, low, high)) return {};
+  // An end lies on the border of where the wall is.
+  if (!wallSpanAt(wall, o, uMiddle, low, high) && !wallSpanAt(wall, o, uMiddle - 1e-6, low, high) &&
+      !wallSpanAt(wall, o, uMiddle + 1e-6, low, high)) {
+    return {};
+  }
   const double v = o.vOf(face.p0 + d * (std::abs(k) > 1e-3 ? (uMiddle - u0) / k : l / 2));
   if (v < low - 0.01 || v > high + 0.01) return {};
 
