@@ -21,9 +21,10 @@ using Renamed = std::map<IdType, IdType>;  // from, to
 template <class IdType, class T, class... Members>
 void redirect(Table<IdType, T>& table, const auto& renamed, Members... members) {
   for (const auto& [id, element] : table) {
-    const auto affected = [&](auto member) { return renamed.contains((*element).*member); };
+    const T& current = *element;
+    const auto affected = [&](auto member) { return renamed.contains(current.*member); };
     if (!(affected(members) || ...)) continue;
-    T copy = *element;
+    T copy = current;
     const auto change = [&](auto member) {
       if (const auto found = renamed.find(copy.*member); found != renamed.end()) copy.*member = found->second;
     };

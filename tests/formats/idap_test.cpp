@@ -66,7 +66,7 @@ TEST(Idap, EveryFieldComesBackExactly) {
 TEST(Idap, EveryFieldOfAFullHomeIsWritten) {
   const json full = json::parse(homeJsonOf(test::fullHome()));
   const std::pair<const char*, std::size_t> members[] = {
-      {"/walls/0", 13}, {"/rooms/0", 16},     {"/openings/0", 27}, {"/furniture/0", 22},
+      {"/walls/0", 14}, {"/rooms/0", 16},     {"/openings/0", 27}, {"/furniture/0", 22},
       {"/levels/0", 8}, {"/groups/1", 4},     {"/cameras/0", 8},   {"/dimensions/0", 10},
       {"/labels/0", 8}, {"/polylines/0", 11}, {"/site", 8},        {"/environment", 4},
       {"", 21}};

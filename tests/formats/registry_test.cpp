@@ -69,6 +69,21 @@ TEST_F(RegistryTest, AFailedSaveLeavesTheOldHome) {
   EXPECT_THROW(writeHome(home, folder_ / "none" / "home.idap"), IoError);
 }
 
+// Homes of another program hold what nobody thought of.
+TEST_F(RegistryTest, ImportedHomesComeBackFromOurFormatAsTheyWere) {
+  const fs::path homes = fs::path(IDAP_SOURCE_DIR) / ".." / "shared" / "homes";
+  if (!fs::exists(homes)) GTEST_SKIP() << "no folder of sample homes at " << homes;
+  for (const auto& entry : fs::directory_iterator(homes)) {
+    if (entry.path().extension() != ".sh3d") continue;
+    Home home = readHome(entry.path()).home;
+    writeHome(home, folder_ / "copy.idap");
+    const ReadResult back = readHome(folder_ / "copy.idap");
+    EXPECT_TRUE(back.report.empty()) << entry.path();
+    home.assets = back.home.assets;  // files that nothing uses are left out
+    EXPECT_EQ(back.home, home) << entry.path();
+  }
+}
+
 TEST_F(RegistryTest, EveryFormatCanBeTold) {
   for (const HomeFormat& format : homeFormats()) {
     EXPECT_FALSE(format.id.empty());

@@ -85,7 +85,7 @@ inline Home fullHome() {
   const auto first = home.newId<WallId>(), second = home.newId<WallId>();
   Wall wall;
   wall.level = level;
-  wall.start = {0, 0};
+  wall.start = {0.2, 0.3};
   wall.end = {4.1, 0.1};
   wall.arcExtent = 0.5;
   wall.thickness = 0.24;
@@ -94,7 +94,7 @@ inline Home fullHome() {
   wall.left = {fullFinish(), Baseboard{0.02, 0.09, fullFinish()}};
   wall.right = {plain(Color{0, 0, 0}), Baseboard{}};
   wall.top = fullFinish();
-  wall.neighbourAtEnd = second;
+  wall.neighbourAtStart = wall.neighbourAtEnd = second;
   wall.pattern = "hatchUp";
   home.walls.set(first, wall);
   Wall other;
@@ -147,7 +147,7 @@ inline Home fullHome() {
   home.cameras.set(home.newId<CameraId>(),
                    Camera{"From the door", {1, 2, 1.7}, 0.4, 0.1, 0.9, Lens::Fisheye, 1'500'000'000'000});
   home.dimensions.set(home.newId<DimensionId>(),
-                      Dimension{level, {0, 0}, {4, 0}, 0.1, 0.2, -0.5, 0.3, Color{1, 0, 0}, 0.2});
+                      Dimension{level, {0.5, 0}, {4, 0}, 0.1, 0.2, -0.5, 0.3, Color{1, 0, 0}, 0.2});
   home.labels.set(home.newId<LabelId>(), Label{level, "Label", {1, 1}, 0.3, 0.4, 0.5, fullStyle()});
   home.polylines.set(home.newId<PolylineId>(), Polyline{level,
                                                         {{0, 0}, {1, 1}, {2, 0}},
