@@ -212,7 +212,7 @@ void shellChair(Builder& b, const Parameters& p) {
                       (1.0 - 0.14 * std::exp(-std::pow((v - 0.56) / 0.16, 2)) -
                        (v > 0.62 ? 0.16 * (v - 0.62) / 0.38 : 0));
         if (arms) half = 0.5 * w * (1 - 0.12 * std::pow(edge, 4));
-        half *= 0.76 + 0.24 * std::sqrt(std::max(0.0, 1.02 - std::pow(edge, 6)));
+        half *= 1 - 0.24 * std::pow(edge, 8);
         const double rise = 0.035 * (1 - v) + (arms ? 0.2 * std::exp(-std::pow((v - 0.5) / 0.17, 2))
                                                     : 0.035 * std::exp(-std::pow((v - 0.5) / 0.2, 2)));
         const double wrap = (v > 0.45 ? 0.09 : 0) * std::min(1.0, (v - 0.45) / 0.3);

@@ -4,18 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "catalog/parametric/kit_grid.h"
+
 namespace idap::parametric {
-namespace {
-
-// Triangles without area have no normal and light nothing.
-void dropEmptyTriangles(Mesh& part) {
-  std::erase_if(part.triangles, [&](const std::array<std::uint32_t, 3>& t) {
-    const Vec3f a = part.positions[t[0]], b = part.positions[t[1]], c = part.positions[t[2]];
-    return length(cross(b - a, c - a)) < 1e-10f;
-  });
-}
-
-}  // namespace
 
 double Builder::random(int key) {
   std::uint32_t h = static_cast<std::uint32_t>(key) * 0x9E3779B9u + 0x7F4A7C15u;

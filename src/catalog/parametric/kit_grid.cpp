@@ -44,6 +44,14 @@ void appendGrid(Mesh& part, const std::vector<Vec3>& points, int columns, int ro
   }
 }
 
+void dropEmptyTriangles(Mesh& part) {
+  std::erase_if(part.triangles, [&](const std::array<std::uint32_t, 3>& t) {
+    const Vec3f a = part.positions[t[0]], b = part.positions[t[1]], c = part.positions[t[2]];
+    // Equal corners are told apart first: a fused multiply-add leaves a residue in their cross product.
+    return a == b || b == c || c == a || length(cross(b - a, c - a)) < 1e-10f;
+  });
+}
+
 Mesh roundedBoxGrid(Vec3 min, Vec3 max, double radius, int half, std::array<int, 3> cells, int grain) {
   const Vec3 size = max - min;
   const double r = std::min(radius, 0.5 * std::min({size.x, size.y, size.z}));

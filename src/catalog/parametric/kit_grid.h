@@ -13,6 +13,9 @@ namespace idap::parametric {
 // points. Texture coordinates in metres, u from row to row where rowsAreGrain is false, else along a row.
 void appendGrid(Mesh& part, const std::vector<Vec3>& points, int columns, int rows, bool rowsAreGrain);
 
+// Drops triangles without area: they have no normal and light nothing.
+void dropEmptyTriangles(Mesh& part);
+
 // A box with round edges as six grids that meet exactly: half steps of arc from an edge's middle to its face
 // (two of them make a quarter turn), cells along the flat part of each axis.
 Mesh roundedBoxGrid(Vec3 min, Vec3 max, double radius, int half, std::array<int, 3> cells, int grain);

@@ -133,10 +133,7 @@ void Builder::surface(const Surface& f, int cellsU, int cellsV, double thickness
   }
   Mesh front;
   appendGrid(front, points, nu, nv, true);
-  std::erase_if(front.triangles, [&](const std::array<std::uint32_t, 3>& t) {
-    const Vec3f a = front.positions[t[0]], b = front.positions[t[1]], c = front.positions[t[2]];
-    return length(cross(b - a, c - a)) < 1e-10f;
-  });
+  dropEmptyTriangles(front);
   if (thickness <= 0) return add(std::move(front), kSmooth);
 
   // Normals by grid point, seams joined.
@@ -164,23 +161,32 @@ void Builder::surface(const Surface& f, int cellsU, int cellsV, double thickness
   appendGrid(rear, behind, nu, nv, true);
   for (auto& t : rear.triangles) std::swap(t[1], t[2]);
   append(part, rear);
-  // Rims: from the front border over a rounded edge to the back border.
+  // Rims: from the front border over a rounded edge to the back border. At a corner both rims take the same
+  // way out.
+  const auto outward = [&](int i, int j) {
+    Vec3 sum;
+    const auto away = [&](int in, int jn) {
+      const Vec3 d = points[at(i, j)] - points[at(in, jn)],
+                 out = d - normal[at(i, j)] * dot(d, normal[at(i, j)]);
+      if (const double l = length(out); l > 1e-9) sum += out / l;
+    };
+    if (!closedU && i == 0) away(1, j);
+    if (!closedU && i == nu - 1) away(nu - 2, j);
+    if (!closedV && j == 0) away(i, 1);
+    if (!closedV && j == nv - 1) away(i, nv - 2);
+    const double l = length(sum);
+    return l > 1e-9 ? sum / l : Vec3{};
+  };
   const auto rim = [&](bool alongU, bool last) {
     const int n = alongU ? nu : nv;
     std::vector<Vec3> strip;
     for (int row = 0; row < 4; ++row) {
       for (int k = 0; k < n; ++k) {
         const int i = alongU ? k : last ? nu - 1 : 0, j = alongU ? (last ? nv - 1 : 0) : k;
-        const int in = alongU ? i : last ? nu - 2 : 1, jn = alongU ? (last ? nv - 2 : 1) : j;
-        const Vec3 p = points[at(i, j)], q = behind[at(i, j)];
-        Vec3 out = points[at(i, j)] - points[at(in, jn)];
-        out = out - normal[at(i, j)] * dot(out, normal[at(i, j)]);
-        const double l = length(out);
-        out = l > 1e-9 ? out / l : Vec3{};
-        const double swell = 0.35 * thickness;
+        const Vec3 p = points[at(i, j)], q = behind[at(i, j)], swell = outward(i, j) * (0.35 * thickness);
         strip.push_back(row == 0   ? p
-                        : row == 1 ? p + (q - p) * 0.3 + out * swell
-                        : row == 2 ? p + (q - p) * 0.7 + out * swell
+                        : row == 1 ? p + (q - p) * 0.3 + swell
+                        : row == 2 ? p + (q - p) * 0.7 + swell
                                    : q);
       }
     }

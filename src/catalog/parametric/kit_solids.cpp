@@ -104,8 +104,10 @@ void Builder::roundedBox(Vec3 min, Vec3 max, double radius, int segments, Grain 
 
 void Builder::lathe(Vec3 base, const std::vector<Vec2>& profile, int sides) {
   std::vector<Vec2> p;
-  for (const Vec2 q : profile)
+  for (Vec2 q : profile) {
+    if (std::abs(q.x) < 1e-7) q.x = 0;  // curves reach the axis to rounding only
     if (p.empty() || length(q - p.back()) > 1e-7) p.push_back(q);
+  }
   const std::size_t n = p.size();
   if (n < 2) return;
   // Each vertex takes the mean direction of its two edges unless they meet in a corner.

@@ -27,8 +27,9 @@ struct Ground {
 
 // A pot for the plant in this box; styles: "tapered", "cylinder", "belly", "rimmed".
 Ground plantPot(Builder& b, const Parameters& p, double share) {
-  const double r = std::min(p.number("potRadius", 0.36 * std::min(b.width(), b.depth())),
-                            std::min(b.width(), b.depth()) / 2);
+  const double r =
+      std::min(p.number("potRadius", p.number("potShare", 0.36) * std::min(b.width(), b.depth())),
+               std::min(b.width(), b.depth()) / 2);
   const double tall = std::min(p.number("potHeight", 1.8 * r), share * b.height());
   const std::string style = p.text("pot", "tapered");
   if (style == "belly") {
@@ -172,102 +173,105 @@ void palm(Builder& b, const Parameters& p) {
   });
 }
 
-// Ribbed columns with spines, or a rosette of thick leaves ("rosette").
-void succulent(Builder& b, const Parameters& p) {
+// A rosette of thick leaves.
+void rosette(Builder& b, const Parameters& p) {
   const Ground ground = plantPot(b, p, 0.45);
+  const double R = std::min(b.width(), b.depth()) / 2;
   b.fitted({b.left(), b.front(), ground.z - 0.01}, {b.right(), b.back(), b.height()}, [&] {
-    const double R = std::min(b.width(), b.depth()) / 2, h = b.height();
-    if (p.text("style", "cactus") == "rosette") {
-      b.slot("leaf");
-      const int leaves = p.count("leaves", 34);
-      for (int i = 0; i < leaves; ++i) {
-        const double t = static_cast<double>(i) / leaves, a = i * 2.399963,
-                     rise = between(1.35, 0.12, std::pow(t, 0.8));
-        const double size = between(0.35, 1.0, std::pow(t, 0.6)) * R, thick = 0.055 * R + 0.004;
-        b.within(
-            Transform::translation({0, 0, ground.z}) * Transform::rotationZ(a) * Transform::rotationY(-rise),
-            [&] {
-              // A plump leaf with a pointed end.
-              std::vector<Path> rings;
-              for (int k = 0; k <= 10; ++k) {
-                const double u = k / 10.0,
-                             wide =
-                                 0.17 * size * std::pow(std::sin(kPi * std::min(0.98, 0.12 + 0.84 * u)), 0.8),
-                             lift = 0.16 * size * u * u;
-                Path ring;
-                for (const Vec2 q : ellipse(
-                         {},
-                         {std::max(0.0006, wide),
-                          std::max(0.0005,
-                                   thick * std::pow(std::sin(kPi * std::min(0.985, 0.2 + 0.8 * u)), 0.7))},
-                         12))
-                  ring.push_back({u * size, q.x, q.y + lift});
-                rings.push_back(ring);
-              }
-              b.loft(rings, true, 1.6);
-            });
-      }
-      return;
-    }
-    const auto column = [&](const Path& way, double radius) {
-      b.slot("cactus");
-      const double total = pathLength(way);
-      const int ribs = 11;
-      const auto radiusAt = [&](double t) {
-        const double left = (1 - t) * total, cap = std::min(1.0, left / radius);
-        return radius * (0.82 + 0.18 * std::min(1.0, 4 * t)) *
-               std::max(0.05, std::sqrt(1 - (1 - cap) * (1 - cap)));
-      };
-      Path fine;
-      for (int i = 0; i <= 24; ++i) fine.push_back(along(way, std::sin(kPi / 2 * i / 24.0)));
-      b.sweep(fine,
-              [&](double t) {
-                Polygon section;
-                for (int i = 0; i < 5 * ribs; ++i) {
-                  const double a = 2 * kPi * i / (5 * ribs),
-                               r = radiusAt(t) * (1 - 0.13 * std::pow(std::abs(std::sin(ribs * a / 2)), 1.4));
-                  section.push_back({r * std::cos(a), r * std::sin(a)});
-                }
-                return section;
-              },
-              {0.02, 1, 0.01});
-      b.slot("spines");
-      const int rows = std::max(4, static_cast<int>(total / (0.55 * radius)));
-      for (int k = 1; k < rows; ++k) {
-        const double t = static_cast<double>(k) / rows;
-        const Vec3 at = along(way, t),
-                   d = normalized(along(way, std::min(1.0, t + 0.02)) - along(way, t - 0.02));
-        const Transform frame = facing(at, d);
-        for (int i = 0; i < ribs; i += 1) {
-          const double a = 2 * kPi * i / ribs;
-          const Vec3 out = frame.vector(onCircle(a, 1));
-          for (const double s : {-0.5, 0.5}) {
-            const Vec3 tip = normalized(out + frame.vector({-std::sin(a), std::cos(a), 0}) * s + d * 0.3);
-            b.tube(
-                {at + out * (0.97 * radiusAt(t)), at + out * (0.97 * radiusAt(t)) + tip * (0.2 * radius)},
-                [](double u) { return 0.0007 * (1.1 - u); }, 3, Cap::None);
-          }
-        }
-      }
-    };
-    const double r = std::min(0.3 * R, 0.16 * h);
-    column({{0, 0, ground.z - 0.01}, {0, 0, h}}, r);
-    if (p.flag("arms", true)) {
-      const double z = between(ground.z, h, 0.3);
-      column(spline({{0.6 * r, 0, z},
-                     {0.72 * R - r, 0.02, z + 0.02},
-                     {R - 0.75 * r, 0.0, z + 0.12 * h},
-                     {R - 0.75 * r, 0, between(z, h, 0.62)}},
-                    6),
-             0.72 * r);
-      column(spline({{-0.6 * r, 0, z + 0.1 * h},
-                     {-0.6 * R + 0.6 * r, 0.0, z + 0.13 * h},
-                     {-R + 0.7 * r, 0, z + 0.22 * h},
-                     {-R + 0.7 * r, 0, between(z, h, 0.85)}},
-                    6),
-             0.66 * r);
+    b.slot("leaf");
+    const int leaves = p.count("leaves", 34);
+    for (int i = 0; i < leaves; ++i) {
+      const double t = static_cast<double>(i) / leaves, a = i * 2.399963,
+                   rise = between(1.35, 0.12, std::pow(t, 0.8));
+      const double size = between(0.35, 1.0, std::pow(t, 0.6)) * R, thick = 0.055 * R + 0.004;
+      b.within(
+          Transform::translation({0, 0, ground.z}) * Transform::rotationZ(a) * Transform::rotationY(-rise),
+          [&] {
+            // A plump leaf with a pointed end.
+            std::vector<Path> rings;
+            for (int k = 0; k <= 10; ++k) {
+              const double u = k / 10.0,
+                           wide =
+                               0.17 * size * std::pow(std::sin(kPi * std::min(0.98, 0.12 + 0.84 * u)), 0.8),
+                           lift = 0.16 * size * u * u;
+              Path ring;
+              for (const Vec2 q :
+                   ellipse({},
+                           {std::max(0.0006, wide),
+                            std::max(0.0005,
+                                     thick * std::pow(std::sin(kPi * std::min(0.985, 0.2 + 0.8 * u)), 0.7))},
+                           12))
+                ring.push_back({u * size, q.x, q.y + lift});
+              rings.push_back(ring);
+            }
+            b.loft(rings, true, 1.6);
+          });
     }
   });
+}
+
+// Ribbed columns with spines; arms reach to the sides of the box, the pot from its front to its back.
+void cactus(Builder& b, const Parameters& p) {
+  const Ground ground = plantPot(b, p, 0.45);
+  const double R = b.width() / 2, h = b.height();
+  const auto column = [&](const Path& way, double radius) {
+    b.slot("cactus");
+    const double total = pathLength(way);
+    const int ribs = 11;
+    const auto radiusAt = [&](double t) {
+      const double left = (1 - t) * total, cap = std::min(1.0, left / radius);
+      return radius * (0.82 + 0.18 * std::min(1.0, 4 * t)) *
+             std::max(0.05, std::sqrt(1 - (1 - cap) * (1 - cap)));
+    };
+    Path fine;
+    for (int i = 0; i <= 24; ++i) fine.push_back(along(way, std::sin(kPi / 2 * i / 24.0)));
+    b.sweep(fine,
+            [&](double t) {
+              Polygon section;
+              for (int i = 0; i < 5 * ribs; ++i) {
+                const double a = 2 * kPi * i / (5 * ribs),
+                             r = radiusAt(t) * (1 - 0.13 * std::pow(std::abs(std::sin(ribs * a / 2)), 1.4));
+                section.push_back({r * std::cos(a), r * std::sin(a)});
+              }
+              return section;
+            },
+            {0.02, 1, 0.01});
+    b.slot("spines");
+    const int rows = std::max(4, static_cast<int>(total / (0.55 * radius)));
+    for (int k = 1; k < rows; ++k) {
+      const double t = static_cast<double>(k) / rows;
+      const Vec3 at = along(way, t),
+                 d = normalized(along(way, std::min(1.0, t + 0.02)) - along(way, t - 0.02));
+      const Transform frame = facing(at, d);
+      for (int i = 0; i < ribs; i += 1) {
+        const double a = 2 * kPi * i / ribs;
+        const Vec3 out = frame.vector(onCircle(a, 1));
+        for (const double s : {-0.5, 0.5}) {
+          const Vec3 tip = normalized(out + frame.vector({-std::sin(a), std::cos(a), 0}) * s + d * 0.3);
+          b.tube(
+              {at + out * (0.97 * radiusAt(t)), at + out * (0.97 * radiusAt(t)) + tip * (0.2 * radius)},
+              [](double u) { return 0.0007 * (1.1 - u); }, 3, Cap::None);
+        }
+      }
+    }
+  };
+  const double r = std::min({0.3 * R, 0.16 * h, 0.8 * ground.radius});
+  column({{0, 0, ground.z - 0.01}, {0, 0, h}}, r);
+  if (p.flag("arms", true)) {
+    const double z = between(ground.z, h, 0.3);
+    column(spline({{0.6 * r, 0, z},
+                   {0.72 * R - r, 0.03 * R, z + 0.05 * R},
+                   {R - 0.75 * r, 0.0, z + 0.12 * h},
+                   {R - 0.75 * r, 0, between(z, h, 0.62)}},
+                  6),
+           0.72 * r);
+    column(spline({{-0.6 * r, 0, z + 0.1 * h},
+                   {-0.6 * R + 0.6 * r, 0.0, z + 0.13 * h},
+                   {-R + 0.7 * r, 0, z + 0.22 * h},
+                   {-R + 0.7 * r, 0, between(z, h, 0.85)}},
+                  6),
+           0.66 * r);
+  }
 }
 
 // Snake plant: stiff upright swords.
@@ -281,13 +285,13 @@ void snakePlant(Builder& b, const Parameters& p) {
       const double t = static_cast<double>(i) / leaves, a = i * 2.399,
                    q = 0.85 * ground.radius * std::sqrt(t);
       const double tall = (h - ground.z) * between(1.0, 0.55, t) * between(0.85, 1.0, roll("snake", i)),
-                   lean = 0.25 * t * R / tall,
+                   lean = 1.05 * t * (R - q) / tall,
                    half = between(0.024, 0.034, roll("wide", i)) * std::min(1.4, std::max(0.5, h / 0.8));
       const double twist = a + kPi / 2 + roll("twist", i), turn = 0.5 * (roll("turn", i) - 0.5);
       b.surface(
           [&](double u, double v) {
-            const double s = 2 * u - 1, wide = half * std::min(1.0, 0.62 + 0.9 * v) *
-                                               std::pow(std::max(0.0, 1 - std::pow(v, 3.2)), 0.75);
+            const double s = 2 * u - 1,
+                         wide = half * std::min(1.0, 0.62 + 0.9 * v) * std::max(0.0, 1 - std::pow(v, 2.6));
             const double at = twist + turn * v;
             const double wave = 0.006 * std::sin(9 * v + i);
             return Vec3{q * std::cos(a) + s * wide * std::cos(at) + std::cos(a) * lean * v * v * tall -
@@ -427,7 +431,8 @@ void addPlants(Generators& to) {
   to["ficus"] = ficus;
   to["monstera"] = monstera;
   to["palm"] = palm;
-  to["succulent"] = succulent;
+  to["rosette"] = rosette;
+  to["cactus"] = cactus;
   to["snakePlant"] = snakePlant;
   to["herb"] = herb;
   to["flowerVase"] = flowerVase;
