@@ -213,9 +213,9 @@ void shellChair(Builder& b, const Parameters& p) {
                        (v > 0.62 ? 0.16 * (v - 0.62) / 0.38 : 0));
         if (arms) half = 0.5 * w * (1 - 0.12 * std::pow(edge, 4));
         half *= 1 - 0.24 * std::pow(edge, 8);
-        const double rise = 0.035 * (1 - v) + (arms ? 0.2 * std::exp(-std::pow((v - 0.5) / 0.17, 2))
+        const double rise = 0.035 * (1 - v) + (arms ? 0.16 * std::exp(-std::pow((v - 0.48) / 0.26, 2))
                                                     : 0.035 * std::exp(-std::pow((v - 0.5) / 0.2, 2)));
-        const double wrap = (v > 0.45 ? 0.09 : 0) * std::min(1.0, (v - 0.45) / 0.3);
+        const double wrap = (arms ? 0.05 : 0.08) * std::clamp((v - 0.45) / 0.35, 0.0, 1.0);
         const double c = std::pow(std::abs(s), 2.4);
         return Vec3{s * half, q.x - wrap * c, q.z + rise * c - 0.05 * c * std::pow(v, 8)};
       },
