@@ -9,13 +9,17 @@
 
 namespace idap::idap_format {
 
-// A struct described by Fields<T>::list(archive), which calls archive("name", &T::member) for each member.
+// listFields(archive, Of<T>{}) calls archive("name", &T::member) for each stored member of T.
 template <class T>
-struct Fields;
+struct Of {};
 
+struct NoArchive {
+  template <class Member>
+  NoArchive& operator()(const char*, Member);
+};
 template <class T>
-concept Described = requires {
-  Fields<T>::kDescribed;
+concept Described = requires(NoArchive& archive) {
+  listFields(archive, Of<T>{});
 };
 
 // The words an enum is stored as, in the order of its values.
@@ -27,203 +31,210 @@ concept NamedEnum = requires {
   EnumNames<E>::kNames;
 };
 
-#define IDAP_FIELDS(Type)                    \
-  template <>                                \
-  struct Fields<Type> {                      \
-    using Self = Type;                       \
-    static constexpr bool kDescribed = true; \
-    template <class A>                       \
-    static void list(A& a)
-
-#define IDAP_ENUM(Type, ...)                                                       \
-  template <>                                                                      \
-  struct EnumNames<Type> {                                                         \
-    static constexpr auto kNames = std::to_array<std::string_view>({__VA_ARGS__}); \
-  };
-
-IDAP_ENUM(Lens, "pinhole", "orthographic", "fisheye", "spherical")
-IDAP_ENUM(OpeningKind, "door", "window", "bare")
-IDAP_ENUM(TextAlignment, "left", "centre", "right")
-IDAP_ENUM(LineDash, "solid", "dot", "dash", "dash-dot", "dash-dot-dot")
-IDAP_ENUM(LineArrow, "none", "delta", "open", "disc")
-
-IDAP_FIELDS(TextureRef) {
-  a("asset", &Self::asset)("size", &Self::size)("offset", &Self::offset)("angle", &Self::angle);
-  a("fitToArea", &Self::fitToArea);
-}
+template <>
+struct EnumNames<Lens> {
+  static constexpr auto kNames =
+      std::to_array<std::string_view>({"pinhole", "orthographic", "fisheye", "spherical"});
+};
+template <>
+struct EnumNames<OpeningKind> {
+  static constexpr auto kNames = std::to_array<std::string_view>({"door", "window", "bare"});
+};
+template <>
+struct EnumNames<TextAlignment> {
+  static constexpr auto kNames = std::to_array<std::string_view>({"left", "centre", "right"});
+};
+template <>
+struct EnumNames<LineDash> {
+  static constexpr auto kNames =
+      std::to_array<std::string_view>({"solid", "dot", "dash", "dash-dot", "dash-dot-dot"});
+};
+template <>
+struct EnumNames<LineArrow> {
+  static constexpr auto kNames = std::to_array<std::string_view>({"none", "delta", "open", "disc"});
 };
 
-IDAP_FIELDS(Finish) {
-  a("material", &Self::material)("color", &Self::color)("texture", &Self::texture);
-  a("roughness", &Self::roughness)("metalness", &Self::metalness)("transmission", &Self::transmission);
+template <class A>
+void listFields(A& a, Of<TextureRef>) {
+  using T = TextureRef;
+  a("asset", &T::asset)("size", &T::size)("offset", &T::offset)("angle", &T::angle);
+  a("fitToArea", &T::fitToArea);
 }
-}
-;
 
-IDAP_FIELDS(TextStyle) {
-  a("font", &Self::font)("size", &Self::size)("bold", &Self::bold)("italic", &Self::italic);
-  a("alignment", &Self::alignment)("color", &Self::color);
+template <class A>
+void listFields(A& a, Of<Finish>) {
+  using T = Finish;
+  a("material", &T::material)("color", &T::color)("texture", &T::texture);
+  a("roughness", &T::roughness)("metalness", &T::metalness)("transmission", &T::transmission);
 }
-}
-;
 
-IDAP_FIELDS(Site) {
-  a("latitude", &Self::latitude)("longitude", &Self::longitude)("north", &Self::north);
-  a("timeZone", &Self::timeZone)("time", &Self::time)("compassPosition", &Self::compassPosition);
-  a("compassDiameter", &Self::compassDiameter)("compassVisible", &Self::compassVisible);
+template <class A>
+void listFields(A& a, Of<TextStyle>) {
+  using T = TextStyle;
+  a("font", &T::font)("size", &T::size)("bold", &T::bold)("italic", &T::italic);
+  a("alignment", &T::alignment)("color", &T::color);
 }
-}
-;
 
-IDAP_FIELDS(Environment) {
-  a("ground", &Self::ground)("skyColor", &Self::skyColor)("skyTexture", &Self::skyTexture);
-  a("wallTransparency", &Self::wallTransparency);
+template <class A>
+void listFields(A& a, Of<Site>) {
+  using T = Site;
+  a("latitude", &T::latitude)("longitude", &T::longitude)("north", &T::north);
+  a("timeZone", &T::timeZone)("time", &T::time)("compassPosition", &T::compassPosition);
+  a("compassDiameter", &T::compassDiameter)("compassVisible", &T::compassVisible);
 }
-}
-;
 
-IDAP_FIELDS(Level) {
-  a("name", &Self::name)("elevation", &Self::elevation)("floorThickness", &Self::floorThickness);
-  a("height", &Self::height)("order", &Self::order)("visible", &Self::visible);
-  a("viewable", &Self::viewable);
+template <class A>
+void listFields(A& a, Of<Environment>) {
+  using T = Environment;
+  a("ground", &T::ground)("skyColor", &T::skyColor)("skyTexture", &T::skyTexture);
+  a("wallTransparency", &T::wallTransparency);
 }
-}
-;
 
-IDAP_FIELDS(Baseboard) { a("thickness", &Self::thickness)("height", &Self::height)("finish", &Self::finish); }
+template <class A>
+void listFields(A& a, Of<Level>) {
+  using T = Level;
+  a("name", &T::name)("elevation", &T::elevation)("floorThickness", &T::floorThickness);
+  a("height", &T::height)("order", &T::order)("visible", &T::visible);
+  a("viewable", &T::viewable);
 }
-;
 
-IDAP_FIELDS(WallSide) { a("finish", &Self::finish)("baseboard", &Self::baseboard); }
+template <class A>
+void listFields(A& a, Of<Baseboard>) {
+  using T = Baseboard;
+  a("thickness", &T::thickness)("height", &T::height)("finish", &T::finish);
 }
-;
 
-IDAP_FIELDS(Wall) {
-  a("level", &Self::level)("start", &Self::start)("end", &Self::end)("arcExtent", &Self::arcExtent);
-  a("thickness", &Self::thickness)("heightAtStart", &Self::heightAtStart)("heightAtEnd", &Self::heightAtEnd);
-  a("left", &Self::left)("right", &Self::right)("top", &Self::top)("pattern", &Self::pattern);
-  a("neighbourAtStart", &Self::neighbourAtStart)("neighbourAtEnd", &Self::neighbourAtEnd);
+template <class A>
+void listFields(A& a, Of<WallSide>) {
+  using T = WallSide;
+  a("finish", &T::finish)("baseboard", &T::baseboard);
 }
-}
-;
 
-IDAP_FIELDS(Room) {
-  a("level", &Self::level)("name", &Self::name)("points", &Self::points);
-  a("floor", &Self::floor)("ceiling", &Self::ceiling)("floorVisible", &Self::floorVisible);
-  a("ceilingVisible", &Self::ceilingVisible)("ceilingFlat", &Self::ceilingFlat);
-  a("areaVisible", &Self::areaVisible)("nameOffset", &Self::nameOffset)("areaOffset", &Self::areaOffset);
-  a("nameAngle", &Self::nameAngle)("areaAngle", &Self::areaAngle);
-  a("nameStyle", &Self::nameStyle)("areaStyle", &Self::areaStyle);
+template <class A>
+void listFields(A& a, Of<Wall>) {
+  using T = Wall;
+  a("level", &T::level)("start", &T::start)("end", &T::end)("arcExtent", &T::arcExtent);
+  a("thickness", &T::thickness)("heightAtStart", &T::heightAtStart)("heightAtEnd", &T::heightAtEnd);
+  a("left", &T::left)("right", &T::right)("top", &T::top)("pattern", &T::pattern);
+  a("neighbourAtStart", &T::neighbourAtStart)("neighbourAtEnd", &T::neighbourAtEnd);
 }
-}
-;
 
-IDAP_FIELDS(ModelRef) {
-  a("catalogId", &Self::catalogId)("asset", &Self::asset)("parameters", &Self::parameters);
-  a("rotation", &Self::rotation)("backFacesShown", &Self::backFacesShown)("smoothed", &Self::smoothed);
+template <class A>
+void listFields(A& a, Of<Room>) {
+  using T = Room;
+  a("level", &T::level)("name", &T::name)("points", &T::points);
+  a("floor", &T::floor)("ceiling", &T::ceiling)("floorVisible", &T::floorVisible);
+  a("ceilingVisible", &T::ceilingVisible)("ceilingFlat", &T::ceilingFlat);
+  a("areaVisible", &T::areaVisible)("nameOffset", &T::nameOffset)("areaOffset", &T::areaOffset);
+  a("nameAngle", &T::nameAngle)("areaAngle", &T::areaAngle);
+  a("nameStyle", &T::nameStyle)("areaStyle", &T::areaStyle);
 }
-}
-;
 
-IDAP_FIELDS(Piece) {
-  a("level", &Self::level)("group", &Self::group)("name", &Self::name)("description", &Self::description);
-  a("model", &Self::model)("position", &Self::position)("size", &Self::size)("angle", &Self::angle);
-  a("pitch", &Self::pitch)("roll", &Self::roll)("mirrored", &Self::mirrored)("finish", &Self::finish);
-  a("slotFinishes", &Self::slotFinishes)("visible", &Self::visible)("nameVisible", &Self::nameVisible);
-  a("locked", &Self::locked)("price", &Self::price)("properties", &Self::properties);
+template <class A>
+void listFields(A& a, Of<ModelRef>) {
+  using T = ModelRef;
+  a("catalogId", &T::catalogId)("asset", &T::asset)("parameters", &T::parameters);
+  a("rotation", &T::rotation)("backFacesShown", &T::backFacesShown)("smoothed", &T::smoothed);
 }
-}
-;
 
-IDAP_FIELDS(Sash) {
-  a("axis", &Self::axis)("width", &Self::width);
-  a("startAngle", &Self::startAngle)("endAngle", &Self::endAngle);
+template <class A>
+void listFields(A& a, Of<Piece>) {
+  using T = Piece;
+  a("level", &T::level)("group", &T::group)("name", &T::name)("description", &T::description);
+  a("model", &T::model)("position", &T::position)("size", &T::size)("angle", &T::angle);
+  a("pitch", &T::pitch)("roll", &T::roll)("mirrored", &T::mirrored)("finish", &T::finish);
+  a("slotFinishes", &T::slotFinishes)("visible", &T::visible)("nameVisible", &T::nameVisible);
+  a("locked", &T::locked)("price", &T::price)("properties", &T::properties);
 }
-}
-;
 
-IDAP_FIELDS(Opening) {
-  Fields<Piece>::list(a);
-  a("kind", &Self::kind)("wall", &Self::wall)("cutOut", &Self::cutOut)("cutsWalls", &Self::cutsWalls);
-  a("cutsBothSides", &Self::cutsBothSides)("wallThickness", &Self::wallThickness);
-  a("wallDistance", &Self::wallDistance)("sashes", &Self::sashes);
+template <class A>
+void listFields(A& a, Of<Sash>) {
+  using T = Sash;
+  a("axis", &T::axis)("width", &T::width);
+  a("startAngle", &T::startAngle)("endAngle", &T::endAngle);
 }
-}
-;
 
-IDAP_FIELDS(LightSource) {
-  a("position", &Self::position)("diameter", &Self::diameter)("color", &Self::color)("share", &Self::share);
+template <class A>
+void listFields(A& a, Of<Opening>) {
+  using T = Opening;
+  listFields(a, Of<Piece>{});
+  a("kind", &T::kind)("wall", &T::wall)("cutOut", &T::cutOut)("cutsWalls", &T::cutsWalls);
+  a("cutsBothSides", &T::cutsBothSides)("wallThickness", &T::wallThickness);
+  a("wallDistance", &T::wallDistance)("sashes", &T::sashes);
 }
-}
-;
 
-IDAP_FIELDS(Lamp) {
-  a("lumens", &Self::lumens)("colorTemperature", &Self::colorTemperature)("color", &Self::color);
-  a("beamAngle", &Self::beamAngle)("on", &Self::on)("dimmer", &Self::dimmer)("sources", &Self::sources);
+template <class A>
+void listFields(A& a, Of<LightSource>) {
+  using T = LightSource;
+  a("position", &T::position)("diameter", &T::diameter)("color", &T::color)("share", &T::share);
 }
-}
-;
 
-IDAP_FIELDS(Furniture) {
-  Fields<Piece>::list(a);
-  a("lamp", &Self::lamp)("staircaseCutOut", &Self::staircaseCutOut);
-  a("dropOnTopHeight", &Self::dropOnTopHeight);
+template <class A>
+void listFields(A& a, Of<Lamp>) {
+  using T = Lamp;
+  a("lumens", &T::lumens)("colorTemperature", &T::colorTemperature)("color", &T::color);
+  a("beamAngle", &T::beamAngle)("on", &T::on)("dimmer", &T::dimmer)("sources", &T::sources);
 }
-}
-;
 
-IDAP_FIELDS(Group) { a("parent", &Self::parent)("name", &Self::name)("visible", &Self::visible); }
+template <class A>
+void listFields(A& a, Of<Furniture>) {
+  using T = Furniture;
+  listFields(a, Of<Piece>{});
+  a("lamp", &T::lamp)("staircaseCutOut", &T::staircaseCutOut);
+  a("dropOnTopHeight", &T::dropOnTopHeight);
 }
-;
 
-IDAP_FIELDS(Camera) {
-  a("name", &Self::name)("eye", &Self::eye)("yaw", &Self::yaw)("pitch", &Self::pitch);
-  a("fieldOfView", &Self::fieldOfView)("lens", &Self::lens)("time", &Self::time);
+template <class A>
+void listFields(A& a, Of<Group>) {
+  using T = Group;
+  a("parent", &T::parent)("name", &T::name)("visible", &T::visible);
 }
-}
-;
 
-IDAP_FIELDS(Dimension) {
-  a("level", &Self::level)("start", &Self::start)("end", &Self::end);
-  a("startElevation", &Self::startElevation)("endElevation", &Self::endElevation);
-  a("offset", &Self::offset)("pitch", &Self::pitch)("color", &Self::color)("textSize", &Self::textSize);
+template <class A>
+void listFields(A& a, Of<Camera>) {
+  using T = Camera;
+  a("name", &T::name)("eye", &T::eye)("yaw", &T::yaw)("pitch", &T::pitch);
+  a("fieldOfView", &T::fieldOfView)("lens", &T::lens)("time", &T::time);
 }
-}
-;
 
-IDAP_FIELDS(Label) {
-  a("level", &Self::level)("text", &Self::text)("position", &Self::position);
-  a("elevation", &Self::elevation)("angle", &Self::angle)("pitch", &Self::pitch)("style", &Self::style);
+template <class A>
+void listFields(A& a, Of<Dimension>) {
+  using T = Dimension;
+  a("level", &T::level)("start", &T::start)("end", &T::end);
+  a("startElevation", &T::startElevation)("endElevation", &T::endElevation);
+  a("offset", &T::offset)("pitch", &T::pitch)("color", &T::color)("textSize", &T::textSize);
 }
-}
-;
 
-IDAP_FIELDS(Polyline) {
-  a("level", &Self::level)("points", &Self::points)("closed", &Self::closed)("curved", &Self::curved);
-  a("thickness", &Self::thickness)("dash", &Self::dash)("startArrow", &Self::startArrow);
-  a("endArrow", &Self::endArrow)("color", &Self::color)("elevation", &Self::elevation);
+template <class A>
+void listFields(A& a, Of<Label>) {
+  using T = Label;
+  a("level", &T::level)("text", &T::text)("position", &T::position);
+  a("elevation", &T::elevation)("angle", &T::angle)("pitch", &T::pitch)("style", &T::style);
 }
-}
-;
 
-IDAP_FIELDS(Background) {
-  a("asset", &Self::asset)("scale", &Self::scale)("origin", &Self::origin)("visible", &Self::visible);
+template <class A>
+void listFields(A& a, Of<Polyline>) {
+  using T = Polyline;
+  a("level", &T::level)("points", &T::points)("closed", &T::closed)("curved", &T::curved);
+  a("thickness", &T::thickness)("dash", &T::dash)("startArrow", &T::startArrow);
+  a("endArrow", &T::endArrow)("color", &T::color)("elevation", &T::elevation);
 }
-}
-;
 
-IDAP_FIELDS(Home) {
-  a("name", &Self::name)("title", &Self::title)("notes", &Self::notes)("currency", &Self::currency);
-  a("wallHeight", &Self::wallHeight)("site", &Self::site)("environment", &Self::environment);
-  a("levels", &Self::levels)("groups", &Self::groups)("walls", &Self::walls)("rooms", &Self::rooms);
-  a("openings", &Self::openings)("furniture", &Self::furniture)("cameras", &Self::cameras);
-  a("dimensions", &Self::dimensions)("labels", &Self::labels)("polylines", &Self::polylines);
-  a("backgrounds", &Self::backgrounds)("properties", &Self::properties)("nextId", &Self::nextId);
+template <class A>
+void listFields(A& a, Of<Background>) {
+  using T = Background;
+  a("asset", &T::asset)("scale", &T::scale)("origin", &T::origin)("visible", &T::visible);
 }
-}
-;
 
-#undef IDAP_FIELDS
-#undef IDAP_ENUM
+template <class A>
+void listFields(A& a, Of<Home>) {
+  using T = Home;
+  a("name", &T::name)("title", &T::title)("notes", &T::notes)("currency", &T::currency);
+  a("wallHeight", &T::wallHeight)("site", &T::site)("environment", &T::environment);
+  a("levels", &T::levels)("groups", &T::groups)("walls", &T::walls)("rooms", &T::rooms);
+  a("openings", &T::openings)("furniture", &T::furniture)("cameras", &T::cameras);
+  a("dimensions", &T::dimensions)("labels", &T::labels)("polylines", &T::polylines);
+  a("backgrounds", &T::backgrounds)("properties", &T::properties)("nextId", &T::nextId);
+}
 
 }  // namespace idap::idap_format

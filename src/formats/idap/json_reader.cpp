@@ -194,11 +194,11 @@ class Reader {
   void readFields(T& value, const char* besideName, Beside* beside) const {
     requireObject();
     Members<T> members{*this, value};
-    Fields<T>::list(members);
+    listFields(members, Of<T>{});
     if (besideName) members.take(besideName, *beside);
     if (members.taken == json_.size()) return;
     Names<T> known;
-    Fields<T>::list(known);
+    listFields(known, Of<T>{});
     for (auto member = json_.begin(); member != json_.end(); ++member)
       if (!known.names.contains(member.key()) && (!besideName || member.key() != besideName))
         source_.unknown(Place{&at_, member.key()});

@@ -102,7 +102,7 @@ template <Described T>
 json write(const T& value) {
   json result = json::object();
   Writer<T> writer(value, result);
-  Fields<T>::list(writer);
+  listFields(writer, Of<T>{});
   return result;
 }
 
