@@ -215,7 +215,7 @@ class Apartment {
   }
 
   void addCameras() {
-    camera("Living room", {4.75, 4.9, 1.5}, {1.3, 1.2, 0.85}, 72);
+    camera("Living room", {4.85, 3.0, 1.5}, {1.2, 1.75, 0.9}, 80);
     camera("Kitchen", {4.6, 1.1, 1.5}, {1.9, 5.4, 1.0}, 62);
     camera("Bedroom", {5.45, 2.95, 1.5}, {8.0, 5.2, 0.75}, 74);
   }

@@ -31,7 +31,8 @@ namespace idap::cli {
 namespace {
 
 struct Options {
-  std::string input, output, camera, size = "960x640", integrator = "path", at, lamps = "auto", tone = "neutral";
+  std::string input, output, camera, size = "960x640", integrator = "path", at, lamps = "auto",
+                                     tone = "neutral";
   int spp = 0, threads = 0;
   double time = 0, clouds = 0;
   std::optional<double> exposure;
@@ -68,13 +69,14 @@ std::optional<CivilTime> parseDateTime(const std::string& text) {
   t.hour = 12;
   char separator = 'T';
   int used = 0;
-  const int fields = std::sscanf(text.c_str(), "%4d-%2d-%2d%n%c%2d:%2d%n:%2d%n", &t.year, &t.month, &t.day, &used,
-                                 &separator, &t.hour, &t.minute, &used, &t.second, &used);
-  if ((fields != 3 && fields != 6 && fields != 7) || used != static_cast<int>(text.size())) return std::nullopt;
+  const int fields = std::sscanf(text.c_str(), "%4d-%2d-%2d%n%c%2d:%2d%n:%2d%n", &t.year, &t.month, &t.day,
+                                 &used, &separator, &t.hour, &t.minute, &used, &t.second, &used);
+  if ((fields != 3 && fields != 6 && fields != 7) || used != static_cast<int>(text.size()))
+    return std::nullopt;
   if (separator != 'T' && separator != ' ') return std::nullopt;
   const auto within = [](int value, int low, int high) { return value >= low && value <= high; };
-  if (!within(t.year, 1600, 2600) || !within(t.month, 1, 12) || !within(t.day, 1, 31) || !within(t.hour, 0, 23) ||
-      !within(t.minute, 0, 59) || !within(t.second, 0, 59))
+  if (!within(t.year, 1600, 2600) || !within(t.month, 1, 12) || !within(t.day, 1, 31) ||
+      !within(t.hour, 0, 23) || !within(t.minute, 0, 59) || !within(t.second, 0, 59))
     return std::nullopt;
   return t;
 }
@@ -111,7 +113,8 @@ LampPolicy lampPolicy(const std::string& text) {
 }
 
 render::ToneMap toneMap(const std::string& text) {
-  for (const auto map : {render::ToneMap::PbrNeutral, render::ToneMap::AgX, render::ToneMap::Classic, render::ToneMap::Linear})
+  for (const auto map :
+       {render::ToneMap::PbrNeutral, render::ToneMap::AgX, render::ToneMap::Classic, render::ToneMap::Linear})
     if (render::name(map) == text) return map;
   throw UsageError("--tone " + text + ": choose neutral, agx, classic or linear");
 }
@@ -119,6 +122,7 @@ render::ToneMap toneMap(const std::string& text) {
 int renderPicture(const Options& options) {
   const auto [width, height] = parseSize(options.size);
   const PictureKind kind = pictureKind(options.output);
+  render::Film::requireSize(width, height);  // before anybody waits for the home
   requireWritable(options.output);
   const bool classic = options.integrator == "classic";
   std::optional<CivilTime> at;
@@ -128,12 +132,13 @@ int renderPicture(const Options& options) {
   }
 
   ProgressBar bar;
+  Warnings warnings(options.input, [&] { bar.wipe(); });
   std::string phase = "reading";
   Progress progress([&](double fraction, std::string_view) { bar.show(fraction, phase); });
   const CancelOnInterrupt interrupt(progress);
   Stopwatch watch;
 
-  const ReadResult read = openHome(options.input, progress);
+  const ReadResult read = openHome(options.input, warnings, progress);
   const Home& home = read.home;
   const double aspect = static_cast<double>(width) / height;
   BuildOptions build;
@@ -149,7 +154,7 @@ int renderPicture(const Options& options) {
   phase = "building";
   const Catalog catalog;
   const BuiltScene built = buildScene(home, catalog, build, progress);
-  for (const std::string& warning : built.warnings) fmt::print(stderr, "idap: {}: {}\n", options.input, warning);
+  warnings.add(built.warnings);
   const double buildMs = watch.lapMilliseconds();
   const render::CompiledScene scene(built.scene, options.threads);
   progress.check();
@@ -164,7 +169,8 @@ int renderPicture(const Options& options) {
   settings.threads = options.threads;
   settings.integrator = classic ? render::IntegratorKind::Classic : render::IntegratorKind::Path;
   settings.perLightGroupLayers = kind == PictureKind::Exr && built.scene->lightGroups.size() <= 64;
-  render::Film film(width, height, settings.perLightGroupLayers ? static_cast<int>(built.scene->lightGroups.size()) : 0);
+  render::Film film(width, height,
+                    settings.perLightGroupLayers ? static_cast<int>(built.scene->lightGroups.size()) : 0);
   const render::Camera view = toRenderCamera(camera, built, aspect);
   if (!classic) settings.clampIndirect = render::clampFor(render::pilotExposure(scene, view, settings));
   const render::RenderStats stats = render::render(scene, view, settings, film, progress);
@@ -195,14 +201,29 @@ int renderPicture(const Options& options) {
                                       {"rays", stats.rays},
                                       {"triangles", built.triangles},
                                       {"instances", built.scene->instances.size()},
-                                      {"lights", built.scene->lamps.size()},
+                                      {"lights", built.scene->lightGroups.size() - 1},
                                       {"peak_rss_mb", rounded(peakMemoryMegabytes())},
                                       {"interrupted", progress.cancelled()},
                                       {"output", options.output}};
     fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
-  if (progress.cancelled()) fmt::print(stderr, "idap: stopped; {} holds the {} samples a pixel made so far\n", options.output, stats.spp);
+  if (progress.cancelled()) {
+    bar.wipe();
+    printMessage(
+        fmt::format("stopped; {} holds the {} samples a pixel made so far", options.output, stats.spp));
+  }
   return 0;
+}
+
+// As CLI::Range, which lets "nan" pass.
+CLI::Validator within(double low, double high) {
+  const auto check = [low, high](const std::string& text) -> std::string {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
+    return fmt::format("{} is not a number from {} to {}", text, low, high);
+  };
+  return CLI::Validator(check, fmt::format("{} to {}", low, high));
 }
 
 }  // namespace
@@ -210,18 +231,30 @@ int renderPicture(const Options& options) {
 Job describeRender(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("FILE", options->input, "Home to show (.idap, .sh3d)")->required();
-  app.add_option("-o,--output", options->output, "Picture to write: .png, .jpg, .exr (linear, with layers) or .pcx")->required();
-  app.add_option("--camera", options->camera, "Point of view: its name, its number from 1, or top")->type_name("NAME|N|top");
+  app.add_option("-o,--output", options->output,
+                 "Picture to write: .png, .jpg, .exr (linear, with layers) or .pcx")
+      ->required();
+  app.add_option("--camera", options->camera, "Point of view: its name, its number from 1, or top")
+      ->type_name("NAME|N|top");
   app.add_option("--size", options->size, "Width and height in pixels (960x640)")->type_name("WxH");
-  CLI::Option* spp = app.add_option("--spp", options->spp, "Samples a pixel (64)")->check(CLI::Range(1, 1'000'000));
-  app.add_option("--time", options->time, "Seconds to render for, instead of --spp")->check(CLI::Range(0.01, 1e7))->excludes(spp);
+  CLI::Option* spp =
+      app.add_option("--spp", options->spp, "Samples a pixel (64)")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--time", options->time, "Seconds to render for, instead of --spp")
+      ->check(within(0.01, 1e7))
+      ->excludes(spp);
   app.add_option("--integrator", options->integrator, "path: light as it is; classic: the shading of 1993")
       ->check(CLI::IsMember({"path", "classic"}));
-  app.add_option("--exposure", options->exposure, "Exposure value at ISO 100, as on a camera; without it, chosen from the picture")->type_name("EV");
-  app.add_option("--tone", options->tone, "Tone curve: neutral, agx, classic or linear")->check(CLI::IsMember({"neutral", "agx", "classic", "linear"}));
-  app.add_option("--at", options->at, "Date and time at the home, for instance 2026-06-21T16:30")->type_name("DATETIME");
-  app.add_option("--lamps", options->lamps, "auto: as the home has them; on; off")->check(CLI::IsMember({"auto", "on", "off"}));
-  app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--exposure", options->exposure,
+                 "Exposure value at ISO 100, as on a camera; without it, chosen from the picture")
+      ->check(within(-30, 60))
+      ->type_name("EV");
+  app.add_option("--tone", options->tone, "Tone curve: neutral, agx, classic or linear")
+      ->check(CLI::IsMember({"neutral", "agx", "classic", "linear"}));
+  app.add_option("--at", options->at, "Date and time at the home, for instance 2026-06-21T16:30")
+      ->type_name("DATETIME");
+  app.add_option("--lamps", options->lamps, "auto: as the home has them; on; off")
+      ->check(CLI::IsMember({"auto", "on", "off"}));
+  app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast")->check(within(0, 1));
   app.add_option("--threads", options->threads, "Processors to use (all)")->check(CLI::Range(1, 1024));
   app.add_flag("--no-denoise", options->noDenoise, "Leave the noise in");
   app.add_flag("--json", options->json, "Print figures as one JSON object on standard output");

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "light/color_temperature.h"
 #include "render/denoise/denoise.h"
 #include "render/film/exposure.h"
 
@@ -90,6 +91,20 @@ Rgb WhiteBalance::operator()(Rgb c) const {
   return {std::max(dot(row_[0], c), 0.0f), std::max(dot(row_[1], c), 0.0f), std::max(dot(row_[2], c), 0.0f)};
 }
 
+Rgb onLocus(Rgb illuminant) {
+  if (!(illuminant.x > 0) || !(illuminant.z > 0)) return {1, 1, 1};
+  // Red over blue falls all the way from candles to the blue hour, so halving finds the temperature.
+  const float wanted = illuminant.x / illuminant.z;
+  double warm = 2200, cold = 12'000;
+  for (int step = 0; step < 24; ++step) {
+    const double middle = std::sqrt(warm * cold);
+    const Rgb c = rgbFromTemperature(middle);
+    (c.x > wanted * std::max(c.z, 1e-6f) ? warm : cold) = middle;
+  }
+  const Rgb c = rgbFromTemperature(std::sqrt(warm * cold));
+  return c / luminance(c);
+}
+
 Rgb estimateIlluminant(const Film& film) {
   // Every pixel says the colour it sees, the brighter ones louder, but none louder than ten average ones: a
   // lamp in the picture or a sun spot must not decide.
@@ -117,8 +132,7 @@ Rgb estimateIlluminant(const Film& film) {
     if (l > 0) sum += toDouble(c * (std::min(l, limit) / l));
   }
   const Rgb total = toFloat(sum / static_cast<double>(counted));
-  const float l = luminance(total);
-  return l > 0 ? total / l : Rgb{1, 1, 1};
+  return onLocus(total);
 }
 
 std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings, Denoiser* denoiser) {

@@ -5,8 +5,18 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/platform.h"
 
 namespace idap::render {
+
+namespace {
+
+std::string notThere(int w, int h, std::size_t bytes) {
+  return fmt::format("a picture of {} x {} pixels needs {:.1f} GB of memory, which is not there", w, h,
+                     static_cast<double>(bytes) / (1 << 30));
+}
+
+}  // namespace
 
 std::size_t Film::bytesNeeded(int w, int h, int groupCount) {
   const std::size_t perPixel = 3 * sizeof(Rgb) + 2 * sizeof(float) + sizeof(std::uint32_t) +
@@ -14,7 +24,7 @@ std::size_t Film::bytesNeeded(int w, int h, int groupCount) {
   return static_cast<std::size_t>(std::max(w, 0)) * static_cast<std::size_t>(std::max(h, 0)) * perPixel;
 }
 
-Film::Film(int w, int h, int groupCount) : width(w), height(h) {
+void Film::requireSize(int w, int h, int groupCount) {
   if (w < 1 || h < 1) throw RenderError(fmt::format("a picture of {} x {} pixels has no pixels", w, h));
   const std::size_t bytes = bytesNeeded(w, h, groupCount);
   if (bytes > kMaxBytes || w > kMaxSide || h > kMaxSide) {
@@ -24,6 +34,12 @@ Film::Film(int w, int h, int groupCount) : width(w), height(h) {
                     "pixels a side); choose a smaller size",
                     w, h, static_cast<double>(bytes) / (1 << 30), kMaxBytes >> 30, kMaxSide));
   }
+  // Systems promise memory that they do not have, and end the program when it is used.
+  if (bytes > availableMemoryBytes()) throw RenderError(notThere(w, h, bytes));
+}
+
+Film::Film(int w, int h, int groupCount) : width(w), height(h) {
+  requireSize(w, h, groupCount);
   const std::size_t n = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
   try {
     color.resize(n);
@@ -34,8 +50,7 @@ Film::Film(int w, int h, int groupCount) : width(w), height(h) {
     objectId.resize(n);
     groups.assign(static_cast<std::size_t>(std::max(groupCount, 0)), std::vector<Rgb>(n));
   } catch (const std::bad_alloc&) {
-    throw RenderError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB of memory, which is not there",
-                                  w, h, static_cast<double>(bytes) / (1 << 30)));
+    throw RenderError(notThere(w, h, bytesNeeded(w, h, groupCount)));
   }
 }
 

@@ -23,9 +23,11 @@ struct Film {
   std::vector<std::vector<Rgb>> groups;  // sum of radiance by light group; together they are `color`
 
   Film() = default;
-  // Black. Throws RenderError, saying how much memory it would take, where the size is not from 1 to kMaxSide
-  // or the layers would need more than kMaxBytes.
+  // Black. Throws as requireSize().
   Film(int w, int h, int groupCount = 0);
+  // Throws RenderError, saying how much memory it would take, where the size is not from 1 to kMaxSide or the
+  // layers would need more than kMaxBytes or than the machine has.
+  static void requireSize(int w, int h, int groupCount = 0);
 
   static constexpr int kMaxSide = 65'536;
   static constexpr std::size_t kMaxBytes = std::size_t{16} << 30;
