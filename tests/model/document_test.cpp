@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <random>
 
 #include "base/error.h"
@@ -195,19 +194,6 @@ TEST(Document, AThousandRandomEditsUndoneGiveTheSameHome) {
   EXPECT_FALSE(document.canUndo());
   while (document.canRedo()) document.redo();
   EXPECT_EQ(document.home(), history.back());
-}
-
-TEST(Document, AMouseMoveInAHomeOfTenThousandPiecesIsCheap) {
-  Document document(test::manyPieces(10'000));
-  document.begin("Move");
-  constexpr int kMoves = 200;
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < kMoves; ++i) document.preview(moveTo(FurnitureId{5000}, 0.01 * i));
-  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-  document.commit();
-  RecordProperty("microsecondsAMove", std::to_string(spent.count() / kMoves));
-  // Tens of microseconds on an idle machine; the bound only notices a walk over all pieces.
-  EXPECT_LT(spent.count() / kMoves, 2000);
 }
 
 }  // namespace
