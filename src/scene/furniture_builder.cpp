@@ -236,15 +236,30 @@ void FurnitureBuilder::addLight(const Furniture& piece, const Placed& placed, do
   const LampLight light = lampLight(*piece.lamp, fixture, slots, options);
   scene.lamps.insert(scene.lamps.end(), light.bulbs.begin(), light.bulbs.end());
   instance.lightGroup = options.lightGroup;
-  for (std::size_t slot = 0; slot < instance.surfaces.size(); ++slot) {
-    const bool shines = slot < light.slotEmission.size() && maxComponent(light.slotEmission[slot]) > 0;
-    const bool glows = slot < light.slotTranslucent.size() && light.slotTranslucent[slot];
-    if (!shines && !glows) continue;
+  for (std::size_t slot = 0; slot < light.slotTranslucent.size(); ++slot) {
+    if (!light.slotTranslucent[slot]) continue;
     render::Surface surface = scene.surfaces[instance.surfaces[slot]];
-    if (shines) surface.emission = light.slotEmission[slot];
-    if (glows) surface.translucency = std::max(surface.translucency, 0.35f);
+    surface.translucency = std::max(surface.translucency, 0.35f);
     instance.surfaces[slot] = addSurface(std::move(surface));
   }
+  if (light.glows.empty()) return;
+  std::vector<std::uint32_t> triangleSlots(placed.mesh->triangles.size());
+  for (std::size_t t = 0; t < triangleSlots.size(); ++t) triangleSlots[t] = placed.mesh->slotOf(t);
+  for (const LampLight::Glow& glow : light.glows) {
+    for (const std::uint32_t t : glow.triangles) {
+      triangleSlots[t] = static_cast<std::uint32_t>(instance.surfaces.size());
+    }
+    render::Surface surface = scene.surfaces[instance.surfaces[glow.slot]];
+    surface.emission = glow.emission;
+    instance.surfaces.push_back(addSurface(std::move(surface)));
+  }
+  auto& glowing = glowing_[{placed.mesh.get(), triangleSlots}];
+  if (!glowing) {
+    Mesh mesh = *placed.mesh;
+    mesh.slots = std::move(triangleSlots);
+    glowing = std::make_shared<const Mesh>(std::move(mesh));
+  }
+  instance.mesh = meshIndex(glowing);
 }
 
 void FurnitureBuilder::add(FurnitureId id, const Furniture& piece, LampPolicy lamps) {

@@ -49,6 +49,8 @@ class FurnitureBuilder {
   std::map<const Mesh*, std::uint32_t> meshes_;
   std::map<std::pair<const SurfaceModel*, std::size_t>, std::uint32_t> plain_;  // surfaces without a finish
   std::map<std::string, std::shared_ptr<const Mesh>> mapped_;
+  // Meshes of lamps whose shades have slots of their own: by the mesh they come from and the slots.
+  std::map<std::pair<const Mesh*, std::vector<std::uint32_t>>, std::shared_ptr<const Mesh>> glowing_;
   std::shared_ptr<const Mesh> box_;
 };
 

@@ -1,5 +1,6 @@
-// Puts a lamp's light into the scene: bulbs as spheres where they can be seen from outside, otherwise the
-// shade around them shines in their place. No light is ever lost in a fixture. Scene space, metres.
+// Puts a lamp's light into the scene: bulbs as spheres where they can be seen from outside; where a shade
+// hides them it shines in their place, and where it only hides them from most sides both share the light.
+// Scene space, metres.
 #pragma once
 
 #include <functional>
@@ -20,7 +21,14 @@ struct Fixture {
 
 struct LampLight {
   std::vector<render::Lamp> bulbs;
-  std::vector<Rgb> slotEmission;      // cd/m2 by material slot; empty: no surface shines
+  // A part of the mesh that shines: its triangles move from their slot to a new one of the same surface.
+  struct Glow {
+    std::uint32_t slot = 0;  // whose surface it has
+    Rgb emission{};          // cd/m2
+    double area = 0;         // m2 that give light off, both sides of open sheets counted
+    std::vector<std::uint32_t> triangles;
+  };
+  std::vector<Glow> glows;
   std::vector<bool> slotTranslucent;  // by slot: a shade of cloth or glass that a bulb shines through
 };
 
@@ -31,7 +39,8 @@ struct LampOptions {
   std::function<Vec3(Vec3 point, double radius)> intoRoom;
 };
 
-// Surfaces of the fixture by slot say what light passes (glass) and what may be a shade (by name).
+// Surfaces of the fixture by slot say what light passes (glass) and what may be a shade (by name). Bulbs and
+// glows together give off all the lumens.
 LampLight lampLight(const Lamp& lamp, const Fixture& fixture,
                     const std::vector<const render::Surface*>& slots, const LampOptions& options);
 
