@@ -1,10 +1,14 @@
 #include "base/platform.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <fstream>
+#include <limits>
+#include <string>
 
 namespace idap {
 
@@ -24,7 +28,24 @@ void onSignal(int signal) {
 
 }  // namespace
 
+void setUpProcess() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest free number is taken, which is fd; read-only, so that writing to it is an error still.
+    if (::fcntl(fd, F_GETFD) == -1 && ::open("/dev/null", O_RDONLY) != fd) return;
+  }
+}
+
 bool standardErrorIsTerminal() { return ::isatty(STDERR_FILENO) != 0; }
+
+std::size_t availableMemoryBytes() {
+  std::ifstream file("/proc/meminfo");
+  std::string name, unit;
+  for (std::size_t kibibytes = 0; file >> name >> kibibytes && std::getline(file, unit);) {
+    if (name == "MemAvailable:") return kibibytes * 1024;
+  }
+  return std::numeric_limits<std::size_t>::max();
+}
 
 double peakMemoryMegabytes() {
   struct rusage usage {};

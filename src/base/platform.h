@@ -1,15 +1,22 @@
 // What only the operating system can tell: terminals, memory use, and the user's Ctrl-C.
 #pragma once
 
+#include <cstddef>
+
 #include "base/progress.h"
 
 namespace idap {
 
-bool standardErrorIsTerminal();
-double peakMemoryMegabytes();  // largest resident size of this process so far, MB (1e6 bytes)
+// Once, at the start of a program: a write over the limit of file sizes becomes an error like that of a full
+// disk, and files that are opened never take the place of a closed standard output or error.
+void setUpProcess();
 
-// While it lives, the first Ctrl-C (SIGINT) or SIGTERM cancels the progress instead of ending the program; a second
-// one ends it. At most one may live at a time.
+bool standardErrorIsTerminal();
+std::size_t availableMemoryBytes();  // that can be had without swapping; the largest number where unknown
+double peakMemoryMegabytes();        // largest resident size of this process so far, MB (1e6 bytes)
+
+// While it lives, the first Ctrl-C (SIGINT) or SIGTERM cancels the progress instead of ending the program; a
+// second one ends it. At most one may live at a time.
 class CancelOnInterrupt {
  public:
   explicit CancelOnInterrupt(Progress& progress);

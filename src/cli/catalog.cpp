@@ -19,11 +19,16 @@ struct Options {
 
 const char* kindName(PieceKind kind) {
   switch (kind) {
-    case PieceKind::Furniture: return "furniture";
-    case PieceKind::Lamp: return "lamp";
-    case PieceKind::Door: return "door";
-    case PieceKind::Window: return "window";
-    case PieceKind::Staircase: return "staircase";
+    case PieceKind::Furniture:
+      return "furniture";
+    case PieceKind::Lamp:
+      return "lamp";
+    case PieceKind::Door:
+      return "door";
+    case PieceKind::Window:
+      return "window";
+    case PieceKind::Staircase:
+      return "staircase";
   }
   return "";
 }
@@ -60,9 +65,11 @@ void printTable(const std::vector<CatalogPiecePtr>& pieces, const Options& optio
     return;
   }
   for (const auto& piece : pieces) {
-    const std::string origin = piece->library.empty() ? "" : fmt::format("  ({}, {})", piece->creator, piece->license);
-    fmt::print("{:<36} {:<34} {:<16} {:.0f} x {:.0f} x {:.0f} cm{}\n", piece->id, piece->nameIn(options.language),
-               piece->category, piece->size.x * 100, piece->size.y * 100, piece->size.z * 100, origin);
+    const std::string origin =
+        piece->library.empty() ? "" : fmt::format("  ({}, {})", piece->creator, piece->license);
+    fmt::print("{:<36} {:<34} {:<16} {:.0f} x {:.0f} x {:.0f} cm{}\n", piece->id,
+               piece->nameIn(options.language), piece->category, piece->size.x * 100, piece->size.y * 100,
+               piece->size.z * 100, origin);
   }
 }
 
@@ -72,12 +79,13 @@ void printProblems(const Catalog& catalog) {
 
 void show(const CatalogPiece& piece, const Options& options) {
   if (options.json) {
-    fmt::print("{}\n", toJson(piece, options.language).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n",
+               toJson(piece, options.language).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   fmt::print("{}\n  id        {}\n  category  {}\n  kind      {}\n  size      {:.1f} x {:.1f} x {:.1f} cm\n",
-             piece.nameIn(options.language), piece.id, piece.category, kindName(piece.kind), piece.size.x * 100,
-             piece.size.y * 100, piece.size.z * 100);
+             piece.nameIn(options.language), piece.id, piece.category, kindName(piece.kind),
+             piece.size.x * 100, piece.size.y * 100, piece.size.z * 100);
   if (!piece.library.empty()) fmt::print("  library   {}\n", piece.library);
   if (!piece.creator.empty()) fmt::print("  creator   {}\n", piece.creator);
   if (!piece.license.empty()) fmt::print("  licence   {}\n", piece.license);
@@ -100,7 +108,8 @@ Job describeCatalog(CLI::App& app) {
   CLI::App* list = app.add_subcommand("list", "List the pieces, or with --category those of one");
   list->add_option("--category", options->category, "Only this category");
   common(list);
-  CLI::App* search = app.add_subcommand("search", "Search names, translations, tags, categories and creators");
+  CLI::App* search =
+      app.add_subcommand("search", "Search names, translations, tags, categories and creators");
   search->add_option("WORDS", options->query, "What to look for")->required();
   common(search);
   CLI::App* showOne = app.add_subcommand("show", "Show one piece with its creator and licence");
@@ -125,7 +134,8 @@ Job describeCatalog(CLI::App& app) {
       return found.empty() ? 1 : 0;
     }
     const CatalogPiecePtr piece = catalog.find(options->id);
-    if (!piece) throw Error("no piece '" + options->id + "' in the catalog; look for it with 'idap catalog search'");
+    if (!piece)
+      throw Error("no piece '" + options->id + "' in the catalog; look for it with 'idap catalog search'");
     show(*piece, *options);
     return 0;
   };

@@ -21,7 +21,6 @@ struct Command {
 
 const std::vector<Command>& commands();
 
-
 // The whole program: reads the arguments, runs a command, turns errors into one line on standard error.
 int runProgram(int argc, char** argv);
 

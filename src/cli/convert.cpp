@@ -1,6 +1,8 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "base/file.h"
+#include "base/platform.h"
 #include "cli/command.h"
 #include "cli/open_home.h"
 
@@ -14,8 +16,12 @@ Job describeConvert(CLI::App& app) {
   app.add_option("IN", options->input, "Home to read (.idap, .sh3d)")->required();
   app.add_option("OUT", options->output, "Home to write; its extension says the format (.idap)")->required();
   return [options] {
-    const ReadResult read = openHome(options->input);
-    writeHome(read.home, options->output);
+    requireWritable(options->output);
+    Progress progress;
+    const CancelOnInterrupt interrupt(progress);
+    Warnings warnings(options->input);
+    const ReadResult read = openHome(options->input, warnings, progress);
+    writeHome(read.home, options->output, progress);
     return 0;
   };
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/platform.h"
 #include "catalog/catalog.h"
 #include "cli/command.h"
 #include "cli/open_home.h"
@@ -14,12 +15,14 @@ namespace idap::cli {
 
 namespace {
 
-// Counted as Sweet Home 3D's users count: pieces are furniture, doors, windows and lamps in and outside groups.
-std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home) {
-  const auto lamps = static_cast<std::size_t>(
-      std::count_if(home.furniture.begin(), home.furniture.end(), [](const auto& f) { return f.second->lamp.has_value(); }));
+// Counted as Sweet Home 3D's users count: pieces are furniture, doors, windows and lamps in and outside
+// groups.
+std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home, const Progress& progress) {
+  const auto lamps =
+      static_cast<std::size_t>(std::count_if(home.furniture.begin(), home.furniture.end(),
+                                             [](const auto& f) { return f.second->lamp.has_value(); }));
   const Catalog catalog;
-  const std::size_t triangles = buildScene(home, catalog, {}, {}).triangles;
+  const std::size_t triangles = buildScene(home, catalog, {}, progress).triangles;
   return {{"levels", home.levels.size()},
           {"walls", home.walls.size()},
           {"rooms", home.rooms.size()},
@@ -45,17 +48,20 @@ Job describeInfo(CLI::App& app) {
   app.add_option("FILE", options->file, "Home to look into (.idap, .sh3d)")->required();
   app.add_flag("--json", options->json, "Print one JSON object on standard output");
   return [options] {
-    const ReadResult read = openHome(options->file);
-    const auto counts = countsOf(read.home);
+    Progress progress;
+    const CancelOnInterrupt interrupt(progress);
+    Warnings warnings(options->file);
+    const ReadResult read = openHome(options->file, warnings, progress);
+    const auto counts = countsOf(read.home, progress);
     if (options->json) {
       nlohmann::ordered_json json;
       for (const auto& [key, count] : counts) json[key] = count;
       fmt::print("{}\n", json.dump());
       return 0;
     }
-    if (!read.home.name.empty()) fmt::print("{}\n", read.home.name);
+    if (!read.home.name.empty()) fmt::print("{}\n", oneLine(read.home.name));
     for (const auto& [key, count] : counts) fmt::print("{:<11}{:>9}\n", key, count);
-    for (const auto& [id, camera] : read.home.cameras) fmt::print("camera     {}\n", camera->name);
+    for (const auto& [id, camera] : read.home.cameras) fmt::print("camera     {}\n", oneLine(camera->name));
     return 0;
   };
 }

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "base/progress.h"
+#include "cli/message.h"
 #include "formats/registry.h"
 
 namespace idap::cli {
 
-// Reads the home and prints the report's entries as warnings on standard error (at most ten, then how many more).
-ReadResult openHome(const std::string& file, const Progress& progress = {});
+ReadResult openHome(const std::string& file, Warnings& warnings, const Progress& progress);
 
 }  // namespace idap::cli

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 PictureKind pictureKind(const std::string& file) {
   std::string extension = fs::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".png") return PictureKind::Png;
   if (extension == ".jpg" || extension == ".jpeg") return PictureKind::Jpeg;
   if (extension == ".exr") return PictureKind::Exr;
@@ -27,10 +28,16 @@ PictureKind pictureKind(const std::string& file) {
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
                  const std::vector<std::string>& lightGroups, const render::DevelopSettings& settings) {
   switch (kind) {
-    case PictureKind::Exr: render::saveLayers(file, film, lightGroups); return;
-    case PictureKind::Pcx: writeFileAtomically(file, writePcx(quantize(render::develop(film, settings)))); return;
+    case PictureKind::Exr:
+      render::saveLayers(file, film, lightGroups);
+      return;
+    case PictureKind::Pcx:
+      writeFileAtomically(file, writePcx(quantize(render::develop(film, settings))));
+      return;
     case PictureKind::Png:
-    case PictureKind::Jpeg: render::savePicture(file, render::develop(film, settings)); return;
+    case PictureKind::Jpeg:
+      render::savePicture(file, render::develop(film, settings));
+      return;
   }
 }
 

@@ -3,13 +3,19 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <map>
 #include <new>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/platform.h"
 #include "cli/command.h"
+#include "cli/message.h"
 #include "cli/usage_error.h"
 
 namespace idap::cli {
@@ -19,19 +25,24 @@ namespace {
 constexpr const char* kVersion = "idap " IDAP_VERSION;
 
 int fail(int status, const std::string& message) {
-  std::string line = message;
-  for (char& c : line) {
-    if (c == '\n' || c == '\r') c = ' ';  // one clear line, whatever a library said
-  }
-  fmt::print(stderr, "idap: {}\n", line);
+  printMessage(message);
   return status;
+}
+
+// What could not be written is not done.
+int afterWriting(int status) {
+  std::cout.flush();
+  if (std::cout && std::fflush(stdout) == 0 && !std::ferror(stdout)) return status;
+  return fail(1, fmt::format("standard output: cannot write: {}", std::strerror(errno)));
 }
 
 }  // namespace
 
 int runProgram(int argc, char** argv) {
+  setUpProcess();
   setUpLogging();
-  CLI::App app{"IDAP: open a home, see it ray-traced, convert it. Run 'idap COMMAND --help' for one command."};
+  CLI::App app{
+      "IDAP: open a home, see it ray-traced, convert it. Run 'idap COMMAND --help' for one command."};
   app.name("idap");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);
@@ -45,17 +56,17 @@ int runProgram(int argc, char** argv) {
   }
   if (argc <= 1) {
     fmt::print("{}", app.help());
-    return 0;
+    return afterWriting(0);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Success is how CLI11 says that help or the version was asked for.
     const int code = app.exit(error);
-    return code == static_cast<int>(CLI::ExitCodes::Success) ? 0 : 2;
+    return afterWriting(code == static_cast<int>(CLI::ExitCodes::Success) ? 0 : 2);
   }
   try {
-    for (const CLI::App* sub : app.get_subcommands()) return jobs.at(sub)();
+    for (const CLI::App* sub : app.get_subcommands()) return afterWriting(jobs.at(sub)());
     return 2;
   } catch (const UsageError& error) {
     return fail(2, error.what());
@@ -63,6 +74,9 @@ int runProgram(int argc, char** argv) {
     return fail(1, error.what());
   } catch (const std::bad_alloc&) {
     return fail(1, "out of memory: the job needs more than this machine has");
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout)) return fail(1, "standard output: cannot write: " + error.code().message());
+    return fail(1, error.what());
   } catch (const std::exception& error) {
     return fail(1, fmt::format("unexpected failure: {}", error.what()));
   }

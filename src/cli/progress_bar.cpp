@@ -25,8 +25,12 @@ std::string durationText(double seconds) {
 
 ProgressBar::ProgressBar() : terminal_(standardErrorIsTerminal()), phaseStart_(Clock::now()) {}
 
-ProgressBar::~ProgressBar() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+ProgressBar::~ProgressBar() { wipe(); }
+
+void ProgressBar::wipe() {
+  const std::lock_guard lock(mutex_);
+  if (drawn_) std::fputs("\r\x1b[K", stderr);
+  drawn_ = false;
 }
 
 void ProgressBar::show(double fraction, std::string_view what) {
@@ -48,8 +52,9 @@ void ProgressBar::show(double fraction, std::string_view what) {
   std::string left;
   if (progress > 0.005 && elapsed > 0.5) left = durationText(elapsed / progress * (1 - done)) + " left";
   const int filled = static_cast<int>(done * kWidth);
-  fmt::print(stderr, "\r\x1b[K{:<10} [{:#<{}}{:.<{}}] {:3.0f} % {}", phase_, "", filled, "", kWidth - filled, done * 100,
-             left);
+  const std::string line = fmt::format("\r\x1b[K{:<10} [{:#<{}}{:.<{}}] {:3.0f} % {}", phase_, "", filled, "",
+                                       kWidth - filled, done * 100, left);
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -15,8 +15,11 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  // Thread-safe; redraws at most ten times a second. The time left is judged by the pace of the current phase.
+  // Thread-safe; redraws at most ten times a second. The time left is judged by the pace of the current
+  // phase.
   void show(double fraction, std::string_view what);
+  // Clears the line for something else; the next show() draws the bar again.
+  void wipe();
 
  private:
   using Clock = std::chrono::steady_clock;
