@@ -16,7 +16,7 @@ struct DevelopSettings {
   std::optional<float> ev{};  // EV100; none: from the picture
   float compensation = 0;     // stops on top; positive is brighter
   ToneMap toneMap = ToneMap::PbrNeutral;
-  float whiteBalance = 0.6f;  // how far the eye adapts to the light's colour: 0 not at all, 1 wholly
+  float whiteBalance = 0.75f;  // how far the eye adapts to the light's colour: 0 not at all, 1 wholly
   bool denoise = true;
   bool fastDenoise = false;  // the smaller network: about twice as fast, for previews
   int threads = 0;           // 0: as many as the machine has

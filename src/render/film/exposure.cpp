@@ -85,7 +85,7 @@ float autoExposure(const Film& film, const std::vector<Rgb>& color) {
   // A meter that makes everything mid-grey turns a white room grey: the mid-tone follows the reflectance
   // seen.
   const double albedo = albedoWeight > 0 ? albedoSum / albedoWeight : 0.5;
-  const double midTone = albedo > 0 ? std::clamp(0.55 * albedo, 0.19, 0.38) : 0.26;
+  const double midTone = albedo > 0 ? std::clamp(0.58 * albedo, 0.22, 0.4) : 0.28;
   const double mean = std::exp2(histogram.meanBetween(kLow, kHigh));
   return std::clamp(ev100FromMultiplier(static_cast<float>(midTone / mean)), kMinEv, kMaxEv);
 }
