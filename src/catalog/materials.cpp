@@ -1,4 +1,6 @@
 // The catalog's materials, read from share/catalog/materials.json as it was when the program was built.
+#include <tbb/task_arena.h>
+
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -145,7 +147,11 @@ class Materials {
 const Material* findMaterial(const std::string& id) {
   Entry* const entry = Materials::instance().find(id);
   if (!entry) return nullptr;
-  if (entry->recipe) std::call_once(entry->painted, paintEntry, std::ref(*entry), std::cref(id));
+  if (entry->recipe) {
+    // Isolated: while it waits for its rows, this thread must not begin a task that waits for this very
+    // picture.
+    std::call_once(entry->painted, [&] { tbb::this_task_arena::isolate([&] { paintEntry(*entry, id); }); });
+  }
   return &entry->material;
 }
 

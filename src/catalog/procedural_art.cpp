@@ -1,5 +1,6 @@
 // Paintings for picture frames: overlapping cut-out shapes, and hills in the haze.
 #include <algorithm>
+#include <array>
 
 #include "catalog/procedural_noise.h"
 #include "catalog/procedural_pattern.h"
@@ -76,23 +77,32 @@ ProceduralTexture landscape(const TextureRecipe& r) {
                                                 {0.62f, 0.69f, 0.69f},
                                                 {0.2f, 0.29f, 0.24f}});
   const auto color = [&](std::size_t i) { return given[std::min(i, given.size() - 1)]; };
-  constexpr int kLayers = 6;
+  constexpr std::size_t kLayers = 6;
   std::vector<PeriodicFbm> ridges;
   for (std::uint32_t i = 0; i < kLayers; ++i) ridges.emplace_back(2, 1, 6, r.seed * 17 + i * 5);
   const PeriodicNoise weave(160, 160, r.seed);
   const PeriodicFbm brush(6, 30, 4, r.seed + 1), cloud(3, 9, 5, r.seed + 3);
   const auto aspect = static_cast<float>(r.size.x / r.size.y);
   const float sunX = 0.3f + 0.4f * randomAt(r.seed, 1), sunY = 0.68f + 0.1f * randomAt(r.seed, 2);
+  // How high the layers reach at each column of pixels.
+  std::vector<std::array<float, kLayers>> heights(static_cast<std::size_t>(r.width));
+  for (std::size_t x = 0; x < heights.size(); ++x) {
+    const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(r.width);
+    for (std::size_t i = 0; i < kLayers; ++i) {
+      const float depth = static_cast<float>(i) / (kLayers - 1);
+      heights[x][i] =
+          0.58f - 0.1f * static_cast<float>(i) + (0.16f - 0.08f * depth) * ridges[i](u * 0.9f, 0.37f);
+    }
+  }
   return paint(r, false, [&](float u, float v) {
+    const auto& reach = heights[static_cast<std::size_t>(u * static_cast<float>(r.width))];
     Color c = mixed(color(1), color(0), smoothStep(0.45f, 1.0f, v));
     c = mixed(c, color(1), 0.5f * smoothStep(0.0f, 0.5f, cloud(u, v)));
     const float sun = std::sqrt((u - sunX) * (u - sunX) * aspect * aspect + (v - sunY) * (v - sunY));
     c = mixed(c, color(2),
               std::fmax(1 - smoothStep(0.05f, 0.056f, sun), 0.5f * (1 - smoothStep(0.0f, 0.3f, sun))));
-    for (int i = 0; i < kLayers; ++i) {
-      const float depth = static_cast<float>(i) / (kLayers - 1);
-      const float height = 0.58f - 0.1f * static_cast<float>(i) +
-                           (0.16f - 0.08f * depth) * ridges[static_cast<std::size_t>(i)](u * 0.9f, 0.37f);
+    for (std::size_t i = 0; i < kLayers; ++i) {
+      const float depth = static_cast<float>(i) / (kLayers - 1), height = reach[i];
       if (v > height + 0.002f) continue;
       // Haze gathers at each foot.
       const float haze = smoothStep(0.0f, 0.16f, height - v) * (1 - depth);

@@ -1,12 +1,15 @@
 #include "scene/scene_builder.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <set>
 
 #include "light/daylight.h"
 #include "light/sun_position.h"
 #include "scene/furniture_builder.h"
+#include "scene/ground_builder.h"
 #include "scene/wall_builder.h"
 
 namespace idap {
@@ -14,7 +17,6 @@ namespace idap {
 namespace {
 
 constexpr double kGroundBelow = 0.015;  // m, of the land below the ground floor
-constexpr double kHorizon = 400;        // m from the home to the edge of the land
 
 Box2 planBounds(const Home& home, const std::vector<WallSolid>& walls) {
   Box2 box;
@@ -62,12 +64,13 @@ class Build {
     const Box2 box = planBounds(home, walls_);
     const Vec2 middle = (box.min + box.max) / 2;
     built_.centre = {middle.x, middle.y, 0};
-    extent_ = length(box.max - box.min);
+    extent_ = box;
   }
 
   BuiltScene run() {
     progress_.report(0.02, "reading models");
     loadModels();
+    addDaylight();
     progress_.report(0.6, "building walls and rooms");
     const RoomBuilder rooms(home_, storeys_, walls_, openings_, options_.ceilings);
     progress_.check();
@@ -77,7 +80,6 @@ class Build {
     progress_.check();
     progress_.report(0.8, "placing furniture");
     addPieces(rooms);
-    addDaylight();
     const std::vector<std::string>& pictures = textures_.warnings();
     built_.warnings.insert(built_.warnings.end(), pictures.begin(), pictures.end());
     for (const auto& mesh : built_.scene->meshes) built_.triangles += mesh->triangles.size();
@@ -115,9 +117,14 @@ class Build {
     for (const auto& [id, opening] : home_.openings) {
       if (isOnShownStorey(*opening) && opening->kind != OpeningKind::Bare) pieces.push_back(opening.get());
     }
-    models_.prepare(pieces, progress_);
+    tbb::parallel_invoke([&] { models_.prepare(pieces, progress_); }, [&] { paintMaterials(pieces); });
     std::vector<TextureCache::Request> pictures;
+    const auto wantOf = [&](const Material& m) {
+      if (m.texture) pictures.push_back({m.texture->bytes, m.texture->name, true});
+      if (m.normalMap) pictures.push_back({m.normalMap->bytes, m.normalMap->name, false});
+    };
     const auto want = [&](const Finish& finish) {
+      if (const Material* m = finish.material.empty() ? nullptr : findMaterial(finish.material)) wantOf(*m);
       if (!finish.texture) return;
       if (const auto t = surfaces_.texture(*finish.texture)) pictures.push_back({t->bytes, t->name, true});
     };
@@ -126,17 +133,40 @@ class Build {
       for (const auto& [name, finish] : piece->slotFinishes) want(finish);
       const ModelCache::Entry& entry = models_.get(*piece);
       if (!entry.model) continue;
-      for (const SurfaceModel::Slot& slot : entry.model->slots) {
-        const Material& m = slot.material;
-        if (m.texture) pictures.push_back({m.texture->bytes, m.texture->name, true});
-        if (m.normalMap) pictures.push_back({m.normalMap->bytes, m.normalMap->name, false});
-      }
+      for (const SurfaceModel::Slot& slot : entry.model->slots) wantOf(slot.material);
     }
     for (const WallSolid& wall : walls_) want(wall.wall->left.finish), want(wall.wall->right.finish);
     for (const auto& [id, room] : home_.rooms) want(room->floor), want(room->ceiling);
     want(home_.environment.ground);
     textures_.prepare(pictures);
     progress_.check();
+  }
+
+  // Has the catalog make the pictures of its materials that finishes name, all at once.
+  void paintMaterials(const std::vector<const Piece*>& pieces) const {
+    constexpr std::string_view kCatalog = "catalog:";
+    std::set<std::string> ids;
+    const auto want = [&](const Finish& finish) {
+      if (!finish.material.empty()) ids.insert(finish.material);
+      if (finish.texture && finish.texture->asset.starts_with(kCatalog)) {
+        ids.insert(finish.texture->asset.substr(kCatalog.size()));
+      }
+    };
+    for (const auto& [id, room] : home_.rooms) want(room->floor), want(room->ceiling);
+    for (const WallSolid& wall : walls_) {
+      for (const WallSide* side : {&wall.wall->left, &wall.wall->right}) {
+        want(side->finish);
+        if (side->baseboard) want(side->baseboard->finish);
+      }
+      want(wall.wall->top);
+    }
+    for (const Piece* piece : pieces) {
+      want(piece->finish);
+      for (const auto& [name, finish] : piece->slotFinishes) want(finish);
+    }
+    want(home_.environment.ground);
+    const std::vector<std::string> all(ids.begin(), ids.end());
+    tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { findMaterial(all[i]); });
   }
 
   void addWalls() {
@@ -182,21 +212,15 @@ class Build {
 
   // The land, open where rooms lie below it.
   void addGround(const RoomBuilder& rooms) {
-    const double reach = kHorizon + extent_;
-    const Vec2 c{built_.centre.x, built_.centre.y};
-    Regions land{
-        {{c + Vec2{-reach, -reach}, c + Vec2{reach, -reach}, c + Vec2{reach, reach}, c + Vec2{-reach, reach}},
-         {}}};
+    Regions open;
     for (std::size_t s = 0; s < storeys_.size(); ++s) {
-      if (storeys_[s].elevation < -kGroundBelow) land = subtract(land, rooms.footprint(s));
+      if (storeys_[s].elevation < -kGroundBelow) open = unite(open, rooms.footprint(s));
     }
-    MeshSink sink(built_.centre);
-    sink.horizontal(land, -kGroundBelow, true, 0);
-    if (sink.empty()) return;
-    Material soil = SurfaceMapper::paint();
-    soil.color = {0.66f, 0.66f, 0.66f};
-    soil.roughness = 0.95;
-    addOwnMesh(sink.take(), {addSurface(surfaces_.surface(soil, home_.environment.ground))}, {});
+    Ground ground = buildGround(soil_, open, extent_, -kGroundBelow, horizon_, built_.centre);
+    if (!ground.mesh) return;
+    std::vector<std::uint32_t> surfaces;
+    for (render::Surface& surface : ground.surfaces) surfaces.push_back(addSurface(std::move(surface)));
+    addOwnMesh(std::move(ground.mesh), std::move(surfaces), {});
   }
 
   void addPieces(const RoomBuilder& rooms) {
@@ -247,14 +271,23 @@ class Build {
     conditions.weather = options_.cloudiness < 0.34   ? Weather::Clear
                          : options_.cloudiness < 0.75 ? Weather::Partly
                                                       : Weather::Overcast;
-    if (home_.environment.ground.color && !home_.environment.ground.texture) {
-      const Color& c = *home_.environment.ground.color;
-      conditions.groundAlbedo = std::clamp(
-          luminance({srgbToLinear(c.r), srgbToLinear(c.g), srgbToLinear(c.b)}) * 0.82f, 0.03f, 0.6f);
-    }
+    Material soil = SurfaceMapper::paint();
+    soil.color = {0.66f, 0.66f, 0.66f};
+    soil.roughness = 0.95;
+    soil_ = surfaces_.surface(soil, home_.environment.ground);
+    const Rgb albedo =
+        soil_.baseColor * (soil_.baseColorMap ? meanReflectance(*soil_.baseColorMap) : Rgb{1, 1, 1});
+    conditions.groundAlbedo = std::clamp(luminance(albedo), 0.03f, 0.6f);
     Daylight light = daylightFor(conditions);
     built_.scene->sun.direction = light.sunDirection;
     built_.scene->sun.illuminance = light.sunIlluminance;
+    const Rgb falling = light.skyIlluminance + light.sunIlluminance * std::max(light.sunDirection.z, 0.0f);
+    const auto row = static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height / 2 - 1);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(light.width); ++x) {
+      horizon_ += light.skyRadiance[row + x] * (float(kPi) / float(light.width));
+    }
+    for (int k = 0; k < 3; ++k)
+      horizon_[k] = std::clamp(horizon_[k] / std::max(falling[k], 1e-6f), 0.0f, 0.9f);
     built_.scene->sky = {light.width, light.height, std::move(light.skyRadiance)};
   }
 
@@ -268,7 +301,9 @@ class Build {
   TextureCache textures_;
   SurfaceMapper surfaces_;
   BuiltScene built_;
-  double extent_ = 0;
+  Box2 extent_;  // of the plan
+  render::Surface soil_;
+  Rgb horizon_;  // reflectance of land that looks as bright as the sky over the horizon
 };
 
 }  // namespace
