@@ -13,7 +13,8 @@ namespace idap::cli {
 namespace {
 
 struct Options {
-  std::string query, id, category, language = "en";
+  std::vector<std::string> query;
+  std::string id, category, language = "en";
   bool json = false;
 };
 
@@ -127,10 +128,11 @@ Job describeCatalog(CLI::App& app) {
       return 0;
     }
     if (search->parsed()) {
-      const auto found = catalog.search(options->query);
+      const std::string words = fmt::format("{}", fmt::join(options->query, " "));
+      const auto found = catalog.search(words);
       printTable(found, *options);
       printProblems(catalog);
-      if (found.empty()) fmt::print(stderr, "idap: nothing in the catalog matches '{}'\n", options->query);
+      if (found.empty()) fmt::print(stderr, "idap: nothing in the catalog matches '{}'\n", words);
       return found.empty() ? 1 : 0;
     }
     const CatalogPiecePtr piece = catalog.find(options->id);
