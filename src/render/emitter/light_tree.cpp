@@ -158,12 +158,14 @@ std::uint32_t LightTree::Builder::fold(std::uint32_t pair, std::uint32_t parent)
     Node& node = nodes[index];
     const Vec3f centre = c.bounds.box.centre(), size = c.bounds.box.size();
     node.x[k] = centre.x, node.y[k] = centre.y, node.z[k] = centre.z;
-    node.radius2[k] = 0.25f * dot(size, size);
-    node.axisX[k] = c.bounds.axis.x, node.axisY[k] = c.bounds.axis.y, node.axisZ[k] = c.bounds.axis.z;
-    node.cosSpread[k] = c.bounds.cosSpread;
-    node.sinSpread[k] = std::sqrt(std::max(0.0f, 1 - c.bounds.cosSpread * c.bounds.cosSpread));
+    node.radius[k] = 0.5f * length(size);
+    // The smallest ball around a cap of unit vectors; beyond a half sphere it is the whole sphere's.
+    const float cosine = std::max(c.bounds.cosSpread, 0.0f);
+    const Vec3f axis = c.bounds.axis * cosine;
+    node.axisX[k] = axis.x, node.axisY[k] = axis.y, node.axisZ[k] = axis.z;
+    node.slack[k] = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     node.intensity[k] = c.bounds.intensity;
-    node.bothSides[k] = c.bounds.bothSides ? 1.0f : 0.0f;
+    node.backSign[k] = c.bounds.bothSides ? -1.0f : 1.0f;
     const std::uint32_t place = index * kWidth + k;
     if (c.right == 0) {
       node.child[k] = c.left | kLeaf;
@@ -185,57 +187,47 @@ LightTree::LightTree(std::span<const LightBounds> lights) : places_(lights.size(
   builder.fold(builder.split(order, 0), kNoParent);
 }
 
-// For each child: intensity times the largest cosines that any part of it can make at the light and at the
-// receiver, over the squared distance. Written without branches, for the vectorizer.
-void LightTree::judge(const Node& node, const Receiver& at, float (&importance)[kWidth]) {
+// For each child: intensity times bounds of the cosines at the light and at the receiver, over the squared
+// distance. A ball around the normals and one around the places make both bounds a dot product and a sum:
+// looser than angles between cones, and several times faster. Written without branches, for the vectorizer.
+float LightTree::judge(const Node& node, const Receiver& at, float (&importance)[kWidth]) {
   const float px = at.position.x, py = at.position.y, pz = at.position.z;
   const float nx = at.normal.x, ny = at.normal.y, nz = at.normal.z;
-  const float behind = at.bothSides ? 1.0f : 0.0f;
+  const float behind = at.bothSides ? -1.0f : 1.0f;
   for (int k = 0; k < kWidth; ++k) {
     const float x = node.x[k] - px, y = node.y[k] - py, z = node.z[k] - pz;
-    const float d2 = std::max(x * x + y * y + z * z, 1e-12f);
-    const float inverse = 1 / std::sqrt(d2);
-    // Half the angle under which the child is seen; from within it is all around.
-    const float sin2 = std::min(node.radius2[k] / d2, 1.0f);
-    const float cosBox = node.radius2[k] >= d2 ? -1.0f : std::sqrt(1 - sin2);
-    const float sinBox = node.radius2[k] >= d2 ? 0.0f : std::sqrt(sin2);
-
-    // cos(max(0, angle to the axis - spread - half angle)).
-    const float c = -(node.axisX[k] * x + node.axisY[k] * y + node.axisZ[k] * z) * inverse;
-    const float cosAxis = node.bothSides[k] > 0 ? std::fabs(c) : c;
-    const float sinAxis = std::sqrt(std::max(0.0f, 1 - cosAxis * cosAxis));
-    const float off = cosAxis * node.cosSpread[k] + sinAxis * node.sinSpread[k];
-    const float cosOff = cosAxis >= node.cosSpread[k] ? 1.0f : off;
-    const float sinOff = std::sqrt(std::max(0.0f, 1 - cosOff * cosOff));
-    const float cosLight = cosOff >= cosBox ? 1.0f : cosOff * cosBox + sinOff * sinBox;
-
+    const float d = std::max(std::sqrt(x * x + y * y + z * z), std::max(node.radius[k], 1e-6f));
+    const float inverse = 1 / d;
+    const float size = node.radius[k] * inverse;
+    const float a = -(node.axisX[k] * x + node.axisY[k] * y + node.axisZ[k] * z) * inverse;
+    const float cosLight = std::max(a, node.backSign[k] * a) + node.slack[k] + size;
     const float r = (nx * x + ny * y + nz * z) * inverse;
-    const float cosNormal = behind > 0 ? std::fabs(r) : r;
-    const float sinNormal = std::sqrt(std::max(0.0f, 1 - cosNormal * cosNormal));
-    const float cosHere = cosNormal >= cosBox ? 1.0f : cosNormal * cosBox + sinNormal * sinBox;
-
-    importance[k] = node.intensity[k] * std::max(cosLight, 0.0f) * std::max(cosHere, 0.0f) /
-                    std::max(d2, std::max(node.radius2[k], 1e-6f));
+    const float cosHere = std::max(r, behind * r) + size;
+    // Not std::clamp, which the vectorizer takes for a branch.
+    importance[k] = node.intensity[k] * (inverse * inverse) * std::min(std::max(cosLight, 0.0f), 1.0f) *
+                    std::min(std::max(cosHere, 0.0f), 1.0f);
   }
+  const float (&i)[kWidth] = importance;
+  return ((i[0] + i[1]) + (i[2] + i[3])) + ((i[4] + i[5]) + (i[6] + i[7]));
 }
 
 LightTree::Choice LightTree::choose(const Receiver& at, float u) const {
   Choice choice{0, 1.0f, u};
   for (std::uint32_t node = 0;;) {
     float importance[kWidth];
-    judge(nodes_[node], at, importance);
-    float sum = 0;
-    for (const float i : importance) sum += i;
+    const float sum = judge(nodes_[node], at, importance);
     if (!(sum > 0)) return {};
-    float rest = choice.u * sum;
-    int chosen = -1;
+    const float target = choice.u * sum;
+    float below[kWidth];  // sums of the importances of the children before
+    float running = 0;
     for (int k = 0; k < kWidth; ++k) {
-      if (importance[k] <= 0) continue;
-      chosen = k;
-      if (rest < importance[k]) break;
-      rest -= importance[k];
+      below[k] = running;
+      running += importance[k];
     }
-    choice.u = std::clamp(rest / importance[chosen], 0.0f, 0.99999994f);
+    int chosen = 0;
+    for (int k = 1; k < kWidth; ++k) chosen += below[k] <= target ? 1 : 0;
+    while (importance[chosen] <= 0) --chosen;  // rounding may have led past the last one
+    choice.u = std::clamp((target - below[chosen]) / importance[chosen], 0.0f, 0.99999994f);
     choice.probability *= importance[chosen] / sum;
     const std::uint32_t child = nodes_[node].child[chosen];
     if (child & kLeaf) {
@@ -251,9 +243,7 @@ float LightTree::probability(const Receiver& at, std::uint32_t light) const {
   for (std::uint32_t place = places_[light]; place != kNoParent;) {
     const Node& node = nodes_[place / kWidth];
     float importance[kWidth];
-    judge(node, at, importance);
-    float sum = 0;
-    for (const float i : importance) sum += i;
+    const float sum = judge(node, at, importance);
     if (!(sum > 0)) return 0;
     probability *= importance[place % kWidth] / sum;
     place = node.parent;

@@ -43,18 +43,19 @@ class LightTree {
   // Eight children, each quantity side by side.
   struct alignas(32) Node {
     float x[kWidth], y[kWidth], z[kWidth];  // middles of their boxes
-    float radius2[kWidth];                  // of spheres around those, squared
-    float axisX[kWidth], axisY[kWidth], axisZ[kWidth];
-    float cosSpread[kWidth], sinSpread[kWidth];
+    float radius[kWidth];                   // of spheres around those
+    float axisX[kWidth], axisY[kWidth], axisZ[kWidth], slack[kWidth];  // middle and radius of a ball around
+                                                                       // the normals
     float intensity[kWidth];      // 0: no child
-    float bothSides[kWidth];      // 1 or 0
+    float backSign[kWidth];       // -1: shines to the back as well; else 1
     std::uint32_t child[kWidth];  // node, or light with kLeaf set
     std::uint32_t parent;         // node * kWidth + place; of the root kNoParent
   };
   static constexpr std::uint32_t kLeaf = 0x80000000u, kNoParent = 0xffffffffu;
 
   struct Builder;
-  static void judge(const Node& node, const Receiver& at, float (&importance)[kWidth]);
+  // Fills in the importance of each child; returns their sum.
+  static float judge(const Node& node, const Receiver& at, float (&importance)[kWidth]);
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> places_;  // where each light hangs: node * kWidth + place
 };

@@ -11,6 +11,7 @@ namespace idap::render {
 namespace {
 
 constexpr int kRouletteAfter = 2;    // bounces that are always followed
+constexpr float kLocalShare = 0.5f;  // of lamps, where either lamps or daylight are asked
 constexpr int kMostSegments = 4096;  // a guard against endless loops, far beyond what roulette lets live
 
 // Power heuristic with exponent 2; b may be 0.
@@ -41,6 +42,7 @@ struct PathTracer::Walk {
   float etaScale = 1.0f;  // undoes the squeezing of radiance in glass where roulette judges the throughput
   Receiver from{};        // where the ray was scattered, and the density with which
   float pdf = 0.0f;
+  float localShare = 1.0f, daylightShare = 1.0f;  // how likely light sampling asked lamps and daylight there
   bool sharp = true;  // camera or delta lobe: no light sampling could have found the same
   int bounces = 0;
   int segments = 0;
@@ -124,7 +126,7 @@ void PathTracer::addEmission(Walk& walk, const Hit& hit) const {
   const SurfaceData& surface = *walk.at.surface;
   float weight = 1;
   if (!walk.sharp && options_.lightSampling != LightSampling::SurfacesOnly) {
-    const float light = scene_.lights().local().pdfTriangle(walk.from, walk.ray, hit, walk.at);
+    const float light = scene_.lights().local().pdfTriangle(walk.from, walk.ray, hit, walk.at) * walk.localShare;
     if (options_.lightSampling == LightSampling::LightsOnly)
       weight = light > 0 ? 0.0f : 1.0f;
     else
@@ -141,7 +143,7 @@ void PathTracer::addSky(Walk& walk) const {
   const auto weigh = [&](float lightPdf) {
     if (walk.sharp || options_.lightSampling == LightSampling::SurfacesOnly) return 1.0f;
     if (options_.lightSampling == LightSampling::LightsOnly) return lightPdf > 0 ? 0.0f : 1.0f;
-    return share(walk.pdf, lightPdf);
+    return share(walk.pdf, lightPdf * walk.daylightShare);
   };
   Rgb light{};
   if (daylight.hasSky()) {
@@ -166,7 +168,7 @@ bool PathTracer::passLamp(Walk& walk, const Hit& hit) const {
     const LocalLights& local = scene_.lights().local();
     float weight = 1;
     if (!walk.sharp && options_.lightSampling == LightSampling::Both)
-      weight = share(walk.pdf, local.pdfLamp(walk.from, hit.lamp));
+      weight = share(walk.pdf, local.pdfLamp(walk.from, hit.lamp) * walk.localShare);
     if (!walk.sharp && options_.lightSampling == LightSampling::LightsOnly) weight = 0;
     Rgb light = walk.throughput * local.lampRadiance(hit.lamp, walk.ray.direction) * weight;
     if (options_.clampIndirect > 0 && walk.bounces > 1)
@@ -192,6 +194,7 @@ bool PathTracer::scatter(Walk& walk) const {
   }
 
   const Receiver here{at.position, at.ng, bsdf.seesBehind()};
+  float localShare = 1, daylightShare = 1;
   if (bsdf.scatters() && options_.lightSampling != LightSampling::SurfacesOnly) {
     const auto connect = [&](const LightSample& light) {
       const BsdfValue f = bsdf.eval(light.wi);
@@ -207,17 +210,34 @@ bool PathTracer::scatter(Walk& walk) const {
       walk.add(value, light.lightGroup);
     };
     const Lights& lights = scene_.lights();
-    if (!lights.local().empty()) {
+    // Where the picture sees the light itself, lamps and daylight are asked both; light that has yet to bounce
+    // on is worth one question only.
+    const bool one = walk.bounces > 0 && !lights.local().empty() && !lights.daylight().empty();
+    const float local = one ? kLocalShare : 1.0f;
+    localShare = local;
+    daylightShare = one ? 1 - local : 1.0f;
+    float choice = walk.sampler.get1D();
+    const bool askLocal = !lights.local().empty() && (!one || choice < local);
+    const bool askDaylight = !lights.daylight().empty() && (!one || choice >= local);
+    if (one) choice = std::min(askLocal ? choice / local : (choice - local) / (1 - local), kOneMinusEpsilon);
+    if (askLocal) {
       LightSample light;
-      const float choice = walk.sampler.get1D();
       const Vec2f u = walk.sampler.get2D();
-      if (lights.local().sample(here, choice, u, light)) connect(light);
+      if (lights.local().sample(here, choice, u, light)) {
+        light.pdf *= localShare;
+        light.weight *= 1 / localShare;
+        connect(light);
+      }
     }
-    if (!lights.daylight().empty()) {
+    if (askDaylight) {
       LightSample light;
-      const float choice = walk.sampler.get1D();
+      if (askLocal) choice = walk.sampler.get1D();
       const Vec2f u = walk.sampler.get2D();
-      if (lights.daylight().sample(here, choice, u, light)) connect(light);
+      if (lights.daylight().sample(here, choice, u, light)) {
+        light.pdf *= daylightShare;
+        light.weight *= 1 / daylightShare;
+        connect(light);
+      }
     }
   }
 
@@ -233,6 +253,8 @@ bool PathTracer::scatter(Walk& walk) const {
     walk.ray = {at.originTowards(s.wi), s.wi};
     walk.from = here;
     walk.pdf = s.pdf;
+    walk.localShare = localShare;
+    walk.daylightShare = daylightShare;
     walk.sharp = s.delta;
     walk.etaScale *= s.etaScale;
     ++walk.bounces;
