@@ -34,6 +34,8 @@ struct Material {
   Vec3 emission{};                         // cd/m2, linear RGB
   std::optional<MaterialTexture> texture;  // multiplies color
   std::optional<MaterialTexture> normalMap;
+  // Its lightness multiplies opacity; placed as texture is.
+  std::optional<MaterialTexture> opacityMap;
 };
 
 // The catalog's named materials, in the order they are shown ("oak", "walnut", "chrome", "glass",

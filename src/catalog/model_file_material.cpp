@@ -142,6 +142,8 @@ Material materialOf(const PhongMaterial& phong, SlotRole role, const SiblingFile
   m.emission = phong.emission * kEmissionLuminance;
   m.texture = loadTexture(siblings, phong.diffuseMap);
   m.normalMap = loadTexture(siblings, phong.normalMap);
+  // The same picture for both: its own alpha says it all.
+  if (phong.opacityMap != phong.diffuseMap) m.opacityMap = loadTexture(siblings, phong.opacityMap);
   if (m.texture) m.color = {1, 1, 1};  // the picture alone, as the models' makers saw it
 
   if (role == SlotRole::Mirror || (shines && (phong.illumination == 3 || phong.illumination == 5) &&
@@ -150,12 +152,13 @@ Material materialOf(const PhongMaterial& phong, SlotRole role, const SiblingFile
     m.roughness = 0.02;
     m.color = {0.95f, 0.95f, 0.95f};
     m.texture.reset();
+    m.opacityMap.reset();
     return m;
   }
   double opacity = phong.opacity;
   if (opacity >= 1 && role == SlotRole::Pane) opacity = 0;
   if (opacity >= 1) return m;
-  if (m.texture) {  // a curtain, a leaf: the picture thinned
+  if (m.texture || m.opacityMap) {  // a curtain, a leaf: the picture thinned
     m.opacity = opacity;
     return m;
   }

@@ -263,6 +263,11 @@ void RoomBuilder::findCeilings() {
   }
 }
 
+// Does the staircase lead through the ceiling at that height to a storey above?
+bool RoomBuilder::goesOn(const StairHole& hole, std::size_t storey, double ceiling) const {
+  return storeys_.size() > storey + 1 && hole.bottom < ceiling - 0.05 && hole.top >= ceiling - 0.05;
+}
+
 Regions RoomBuilder::ceilingRegion(std::size_t index) const {
   const Room& room = rooms_[index];
   const Regions walls = wallPlan(walls_, room.storey, room.ceiling - 0.1);
@@ -274,9 +279,7 @@ Regions RoomBuilder::ceilingRegion(std::size_t index) const {
   }
   if (!walls.empty()) region = unite(region, margin(region, walls, reach));
   for (const StairHole& hole : holes_) {
-    const bool goesOn = storeys_.size() > room.storey + 1 && hole.bottom < room.ceiling - 0.05 &&
-                        hole.top >= room.ceiling - 0.05;
-    if (goesOn) region = subtract(region, hole.region);
+    if (goesOn(hole, room.storey, room.ceiling)) region = subtract(region, hole.region);
   }
   for (std::size_t j = index + 1; j < rooms_.size(); ++j) {
     const Room& other = rooms_[j];
@@ -321,6 +324,18 @@ void RoomBuilder::addSlopedCeiling(const Room& room, MeshSink& sink) const {
       const Vec3 across = cross(c - a, b - a);
       if (length(across) < 1e-12) continue;
       const Vec3 n = normalized(across);  // looks down
+      Regions holes;
+      for (const StairHole& hole : holes_) {
+        if (goesOn(hole, room.storey, std::min({a.z, b.z, c.z})))
+          holes.insert(holes.end(), hole.region.begin(), hole.region.end());
+      }
+      if (!holes.empty() && std::abs(n.z) > 1e-6) {
+        sink.face(subtract({{{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}, {}}}, holes), kRoomCeiling, [&](Vec2 p) {
+          const double z = a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z;
+          return MeshSink::Vertex{{p.x, p.y, z}, n, p};
+        });
+        continue;
+      }
       const auto i = sink.vertex({a, n, {a.x, a.y}});
       sink.vertex({c, n, {c.x, c.y}});
       sink.vertex({b, n, {b.x, b.y}});

@@ -51,6 +51,7 @@ class RoomBuilder {
   void findCeilings();
   double flatCeiling(const Room& room) const;
   bool touchesSlope(const Room& room) const;
+  bool goesOn(const StairHole& hole, std::size_t storey, double ceiling) const;
   Regions ceilingRegion(std::size_t index) const;
   void addSlopedCeiling(const Room& room, MeshSink& sink) const;
 

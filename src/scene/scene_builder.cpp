@@ -120,13 +120,14 @@ class Build {
     tbb::parallel_invoke([&] { models_.prepare(pieces, progress_); }, [&] { paintMaterials(pieces); });
     std::vector<TextureCache::Request> pictures;
     const auto wantOf = [&](const Material& m) {
-      if (m.texture) pictures.push_back({m.texture->bytes, m.texture->name, true});
-      if (m.normalMap) pictures.push_back({m.normalMap->bytes, m.normalMap->name, false});
+      pictures.push_back(colorPicture(m));
+      if (m.normalMap) pictures.push_back({m.normalMap->bytes, m.normalMap->name, false, nullptr});
     };
     const auto want = [&](const Finish& finish) {
       if (const Material* m = finish.material.empty() ? nullptr : findMaterial(finish.material)) wantOf(*m);
       if (!finish.texture) return;
-      if (const auto t = surfaces_.texture(*finish.texture)) pictures.push_back({t->bytes, t->name, true});
+      if (const auto t = surfaces_.texture(*finish.texture))
+        pictures.push_back({t->bytes, t->name, true, nullptr});
     };
     for (const Piece* piece : pieces) {
       want(piece->finish);

@@ -35,6 +35,13 @@ render::ClassicSurface classicOf(const Material& m) {
 
 }  // namespace
 
+TextureCache::Request colorPicture(const Material& m) {
+  TextureCache::Request request;
+  if (m.texture) request.bytes = m.texture->bytes, request.name = m.texture->name;
+  if (m.opacityMap) request.opacity = m.opacityMap->bytes, request.name += " " + m.opacityMap->name;
+  return request;
+}
+
 render::Surface toSurface(const Material& m, TextureCache& textures) {
   render::Surface s;
   s.name = m.name;
@@ -50,8 +57,8 @@ render::Surface toSurface(const Material& m, TextureCache& textures) {
   const bool diffuse = m.metalness < 0.5 && m.transmission < 0.5;
   s.baseColor =
       diffuse ? Rgb{reflectance(m.color.r), reflectance(m.color.g), reflectance(m.color.b)} : linear(m.color);
+  s.baseColorMap = textures.get(colorPicture(m));
   if (m.texture) {
-    s.baseColorMap = textures.get({m.texture->bytes, m.texture->name, true});
     if (m.texture->size.x > 0 && m.texture->size.y > 0) {
       s.uvScale = {static_cast<float>(1 / m.texture->size.x), static_cast<float>(1 / m.texture->size.y)};
       s.uvOffset = {static_cast<float>(m.texture->offset.x / m.texture->size.x),
@@ -59,7 +66,7 @@ render::Surface toSurface(const Material& m, TextureCache& textures) {
       s.uvRotation = static_cast<float>(m.texture->angle);
     }
   }
-  if (m.normalMap) s.normalMap = textures.get({m.normalMap->bytes, m.normalMap->name, false});
+  if (m.normalMap) s.normalMap = textures.get({m.normalMap->bytes, m.normalMap->name, false, nullptr});
   s.classic = classicOf(m);
   return s;
 }
@@ -110,7 +117,7 @@ Material SurfaceMapper::finished(const Material& base, const Finish& finish,
   }
   if (finish.color) {
     const Color& c = *finish.color;
-    if (finish.material.empty()) m.texture.reset(), m.normalMap.reset();
+    if (finish.material.empty()) m.texture.reset(), m.normalMap.reset(), m.opacityMap.reset();
     // A pane takes on the colour to the degree that it is there at all.
     const auto share = static_cast<float>(1 - std::clamp(m.transmission, 0.0, 1.0));
     const bool pane = m.transmission > 0 && finish.material.empty() && !finish.transmission;
@@ -125,6 +132,7 @@ Material SurfaceMapper::finished(const Material& base, const Finish& finish,
       }
       m.texture = std::move(picture);
       m.normalMap.reset();
+      m.opacityMap.reset();
       if (!finish.color) m.color = {1, 1, 1};
     }
   }

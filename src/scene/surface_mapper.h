@@ -12,6 +12,8 @@ namespace idap {
 
 // White paint reflects about 82 %: a white of 1 would never lose its light.
 render::Surface toSurface(const Material& material, TextureCache& textures);
+// The picture of its base colour, which carries its opacity too; without bytes and opacity: none.
+TextureCache::Request colorPicture(const Material& material);
 
 class SurfaceMapper {
  public:

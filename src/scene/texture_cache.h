@@ -1,8 +1,10 @@
-// Decoded pictures, each once: the pointer of the encoded bytes identifies a picture.
+// Decoded pictures, each once: the pointer of the encoded bytes identifies a picture. Without bytes but with
+// an opacity the picture is white.
 #pragma once
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/bytes.h"
@@ -16,6 +18,7 @@ class TextureCache {
     SharedBytes bytes;
     std::string name;  // for warnings
     bool srgb = true;
+    SharedBytes opacity;  // a picture whose lightness goes into the alpha of this one
   };
 
   // Decodes all that are new, in parallel.
@@ -26,8 +29,13 @@ class TextureCache {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  using Key = std::pair<const Bytes*, bool>;
-  std::map<Key, std::pair<SharedBytes, render::TexturePtr>> textures_;
+  using Key = std::tuple<const Bytes*, bool, const Bytes*>;
+  struct Entry {
+    SharedBytes bytes, opacity;  // held, so that no other picture takes their place in memory
+    render::TexturePtr texture;
+  };
+  static Key keyOf(const Request& r) { return {r.bytes.get(), r.srgb, r.opacity.get()}; }
+  std::map<Key, Entry> textures_;
   std::vector<std::string> warnings_;
 };
 

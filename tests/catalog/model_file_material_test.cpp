@@ -44,6 +44,17 @@ TEST(ModelFileMaterial, MtlStatementsAndTheirOddities) {
   EXPECT_DOUBLE_EQ(all[1].exponent, 0);
 }
 
+TEST(ModelFileMaterial, OpacityMapsComeAlongUnlessThePictureIsItsOwn) {
+  const auto all =
+      parseMtl("newmtl leaf\nmap_Kd leaf.png\nmap_d mask.png\nnewmtl own\nmap_Kd a.png\nmap_d a.png");
+  ASSERT_EQ(all.size(), 2u);
+  const SiblingFiles any = [](const std::string&) { return std::make_shared<const Bytes>(Bytes(1)); };
+  const Material leaf = materialOf(all[0], SlotRole::Plain, any);
+  ASSERT_TRUE(leaf.opacityMap);
+  EXPECT_EQ(leaf.opacityMap->name, "mask.png");
+  EXPECT_FALSE(materialOf(all[1], SlotRole::Plain, any).opacityMap);
+}
+
 TEST(ModelFileMaterial, SharperHighlightsAreSmootherSurfaces) {
   EXPECT_GT(roughnessOfPhong(0.3, 5), roughnessOfPhong(0.3, 60));
   EXPECT_GT(roughnessOfPhong(0.3, 60), roughnessOfPhong(0.3, 1000));

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/zip.h"
 #include "formats/sh3d/sh3d_reader.h"
+#include "geometry/svg_path.h"
 
 namespace idap {
 namespace {
@@ -226,6 +227,23 @@ TEST(Sh3d, DoorsFindTheirWallAndKeepTheirSwing) {
   EXPECT_EQ(openings["Window"].wall, b) << "even where it is not bound to it";
   EXPECT_EQ(openings["Window"].kind, OpeningKind::Window);
   EXPECT_FALSE(openings["Window"].cutOut.empty());
+}
+
+TEST(Sh3d, AnOpeningMayCutAPartOfItsOutlineOnly) {
+  const ReadResult read = readXml(
+      "<wall id='a' xStart='0' yStart='100' xEnd='300' yEnd='100' thickness='20'/>"
+      "<doorOrWindow name='Shop' model='1' x='150' y='100' width='200' depth='20' height='200' "
+      "cutOutShape='M0,0 v1 h1 v-1 z' wallWidth='0.5' wallLeft='0.25' wallHeight='0.8' wallTop='0.1'/>",
+      {{"1", kObj}});
+  EXPECT_TRUE(read.report.empty());
+  const auto rings = parseSvgPath(read.home.openings.begin()->second->cutOut);
+  ASSERT_EQ(rings.size(), 1u);
+  const Box2 box = bounds(rings[0]);
+  EXPECT_NEAR(box.min.x, 0.25, 1e-6);
+  EXPECT_NEAR(box.max.x, 0.75, 1e-6);
+  EXPECT_NEAR(box.min.y, 0.1, 1e-6);
+  EXPECT_NEAR(box.max.y, 0.9, 1e-6);
+  EXPECT_NEAR(area(Regions{{rings[0], {}}}), 0.4, 1e-6);
 }
 
 TEST(Sh3d, LampsKeepTheirBulbs) {

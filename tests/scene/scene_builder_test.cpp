@@ -157,6 +157,29 @@ TEST(SceneBuilder, AStaircaseOpensTheCeilingAndTheFloorAbove) {
   EXPECT_EQ(escaping(built, {4, 2, 4}, 4000), 0);
 }
 
+TEST(SceneBuilder, AStaircaseOpensASlopedCeilingToo) {
+  LevelId ground, upper;
+  Home home = twoStoreys(ground, upper);
+  // The ground floor's ceiling rises with the walls along x.
+  for (const auto& [id, wall] : std::vector(home.walls.begin(), home.walls.end())) {
+    if (wall->level != ground) continue;
+    Wall w = *wall;
+    w.heightAtStart = 2.0 + 0.05 * w.start.x;
+    w.heightAtEnd = 2.0 + 0.05 * w.end.x;
+    home.walls.set(id, w);
+  }
+  EXPECT_NEAR(shoot(buildScene(home, noLibraries()), {2, 2, 1}, {0, 0, 1}).distance, 1.1, 0.01);
+  Furniture stair;
+  stair.level = ground;
+  stair.position = {2, 2, 0};
+  stair.size = {1, 2, 2.62};
+  stair.staircaseCutOut = "M0,0 v1 h1 v-1 z";
+  home.furniture.set(home.newId<FurnitureId>(), stair);
+  const BuiltScene built = buildScene(home, noLibraries());
+  EXPECT_NEAR(shoot(built, {2, 2, 2.7}, {0, 0, 1}).distance, 2.42 - 0.002, 1e-3);
+  EXPECT_NEAR(shoot(built, {3.5, 2, 1}, {0, 0, 1}).distance, 1.175, 0.01) << "beside it the slope stays";
+}
+
 TEST(SceneBuilder, HiddenLevelsBelongToViewsFromInsideOnly) {
   LevelId ground, upper;
   Home home = twoStoreys(ground, upper);

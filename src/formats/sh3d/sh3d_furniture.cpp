@@ -1,13 +1,17 @@
 // Pieces of furniture, lamps, doors, windows and groups.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "catalog/light_power.h"
 #include "catalog/model_file_material.h"
 #include "catalog/model_rotation.h"
 #include "catalog/opening_kind.h"
 #include "formats/sh3d/opening_hosts.h"
 #include "formats/sh3d/sh3d_context.h"
+#include "geometry/svg_path.h"
 
 namespace idap {
 
@@ -15,6 +19,13 @@ namespace {
 
 constexpr int kMaxGroupDepth = 64;
 constexpr int kShowBackFaces = 1;  // of modelFlags
+
+// Only these leave the middle of a model's box where it is.
+bool isQuarterTurns(const std::array<Vec3, 3>& rotation) {
+  return std::ranges::all_of(rotation, [](const Vec3& axis) {
+    return std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)}) > 1 - 1e-6;
+  });
+}
 
 ModelRef readModel(Sh3dContext& context, const Sh3dElement& element) {
   ModelRef model;
@@ -27,6 +38,8 @@ ModelRef readModel(Sh3dContext& context, const Sh3dElement& element) {
   if (element.has("modelRotation")) {
     if (const auto rotation = modelRotationOf(element.text("modelRotation"))) {
       model.rotation = *rotation;
+      if (!element.flag("modelCenteredAtOrigin", true) && !isQuarterTurns(*rotation))
+        context.report.add(element.place(), "its turned model is not centred in the file: centred here");
     } else {
       context.report.add(element.place(), "its model's rotation cannot be read: ignored");
     }
@@ -117,6 +130,34 @@ bool readPiece(Sh3dContext& context, const Sh3dElement& element, LevelId level, 
   return true;
 }
 
+// The part of its outline that an opening cuts out of the wall: the shape fills that part, as fractions from
+// the left and the top.
+void cutPartOnly(Sh3dContext& context, const Sh3dElement& element, Opening& opening) {
+  const double left = element.number("wallLeft", 0), top = element.number("wallTop", 0);
+  const double width = element.number("wallWidth", 1), height = element.number("wallHeight", 1);
+  if (left == 0 && top == 0 && width == 1 && height == 1) return;
+  const auto within = [](double from, double size) {
+    return from >= 0 && size > 0 && from + size <= 1 + 1e-6;
+  };
+  if (!within(left, width) || !within(top, height)) {
+    context.report.add(element.place(),
+                       "the part that it cuts out of the wall is not within it: cuts the whole");
+    return;
+  }
+  std::string path;
+  try {
+    for (const Polygon& ring : parseSvgPath(opening.cutOut)) {
+      for (const Vec2& p : ring) {
+        path += fmt::format("{}{:.6f},{:.6f}", path.empty() || path.back() == 'z' ? "M" : " L",
+                            left + p.x * width, top + p.y * height);
+      }
+      path += " z";
+    }
+  } catch (const ParseError&) {
+  }
+  if (!path.empty()) opening.cutOut = path;
+}
+
 void readOpening(Sh3dContext& context, const Sh3dElement& element, LevelId level, GroupId group) {
   Opening opening;
   if (!readPiece(context, element, level, group, opening)) return;
@@ -132,8 +173,7 @@ void readOpening(Sh3dContext& context, const Sh3dElement& element, LevelId level
     // Sash angles, unlike all others of the file, turn counter-clockwise already.
     if (x && y && width && start && end) opening.sashes.push_back({{*x, *y}, *width, *start, *end});
   }
-  if (element.number("wallWidth", 1) != 1 || element.number("wallHeight", 1) != 1)
-    context.report.add(element.place(), "cuts a part of its outline only: cuts the whole of it here");
+  cutPartOnly(context, element, opening);
   opening.kind = openingKindOf(opening.model.catalogId, opening.name, opening.position.z, opening.size.z,
                                !opening.sashes.empty());
   opening.wall = hostOf(context.home, opening);
