@@ -117,35 +117,29 @@ bool Daylight::crosses(const Opening& o, Vec3f from, Vec3f direction) {
   return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
 
-float Daylight::sunProbability(const Receiver& at) const {
-  if (!hasSun_) return 0;
-  const float cosine = dot(at.normal, sun_.direction);
-  if (!at.bothSides && cosine < -sun_.angularRadius) return 0;
-  if (!hasSky_) return 1;
-  if (openings_.empty()) return 0.5f;
-  for (const Opening& o : openings_)
-    if (crosses(o, at.position, sun_.direction)) return 0.6f;
-  return 0.15f;
+bool Daylight::seesSun(const Receiver& at) const {
+  return hasSun_ && (at.bothSides || dot(at.normal, sun_.direction) > -sun_.angularRadius);
 }
 
-bool Daylight::sample(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
+bool Daylight::sampleSun(const Receiver& at, Vec2f u, LightSample& s) const {
+  if (!seesSun(at)) return false;
   s.lightGroup = 0;
   s.distance = std::numeric_limits<float>::infinity();
-  const float sun = sunProbability(at);
-  if (choice < sun) {
-    s.wi = Frame(sun_.direction).toWorld(uniformCone(u, sunCone_));
-    s.pdf = sun / coneSolidAngle(sunCone_);
-    s.weight = sunRadiance_ * (1 / s.pdf);
-    return true;
-  }
-  if (!hasSky_) return false;
-  if (!sampleSky(at, std::min((choice - sun) / (1 - sun), kOneMinusEpsilon), u, s)) return false;
-  s.pdf *= 1 - sun;
-  s.weight = skyRadiance(s.wi) * (1 / s.pdf);
+  s.wi = Frame(sun_.direction).toWorld(uniformCone(u, sunCone_));
+  s.pdf = 1 / coneSolidAngle(sunCone_);
+  s.weight = sunRadiance_ * coneSolidAngle(sunCone_);
   return true;
 }
 
 bool Daylight::sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
+  if (!hasSky_ || !chooseSky(at, choice, u, s)) return false;
+  s.lightGroup = 0;
+  s.distance = std::numeric_limits<float>::infinity();
+  s.weight = skyRadiance(s.wi) * (1 / s.pdf);
+  return true;
+}
+
+bool Daylight::chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
   float sum = 0;
   for (const Opening& o : openings_) sum += importance(o, at);
   if (sum > 0 && choice >= kMapShare) {
@@ -204,11 +198,9 @@ float Daylight::mixturePdf(const Receiver& at, Vec3f d, float sum, const Opening
   return kMapShare * map + (1 - kMapShare) * through / sum;
 }
 
-float Daylight::pdfSky(const Receiver& at, Vec3f d) const {
-  return hasSky_ ? (1 - sunProbability(at)) * mixturePdf(at, d) : 0.0f;
-}
+float Daylight::pdfSky(const Receiver& at, Vec3f d) const { return hasSky_ ? mixturePdf(at, d) : 0.0f; }
 
-float Daylight::pdfSun(const Receiver& at) const { return sunProbability(at) / coneSolidAngle(sunCone_); }
+float Daylight::pdfSun(const Receiver& at) const { return seesSun(at) ? 1 / coneSolidAngle(sunCone_) : 0.0f; }
 
 Rgb Daylight::sunRadiance(Vec3f d) const {
   if (!hasSun_) return {};

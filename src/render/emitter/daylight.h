@@ -16,13 +16,13 @@ class Daylight {
  public:
   explicit Daylight(const CompiledScene& scene);
 
-  bool empty() const { return !hasSun_ && !hasSky_; }
-  // One direction, of the sun or of the sky. False where neither can reach the receiver.
-  bool sample(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
+  // One direction of the sun, or of the sky. False where it cannot reach the receiver.
+  bool sampleSun(const Receiver& at, Vec2f u, LightSample& sample) const;
+  bool sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
 
   Rgb skyRadiance(Vec3f direction) const;
   Rgb sunRadiance(Vec3f direction) const;  // 0 off the sun's disc
-  // Densities, per steradian, with which sample() chooses the sun or the sky and then this direction.
+  // Densities, per steradian, with which this direction is sampled (of the sun: any within its disc).
   float pdfSky(const Receiver& at, Vec3f direction) const;
   float pdfSun(const Receiver& at) const;
   bool hasSun() const { return hasSun_; }
@@ -34,10 +34,10 @@ class Daylight {
     float inverseU2 = 0.0f, inverseV2 = 0.0f, area = 0.0f;
     bool bothSides = false;
   };
-  float sunProbability(const Receiver& at) const;
+  bool seesSun(const Receiver& at) const;
   static float importance(const Opening& opening, const Receiver& at);
   static bool crosses(const Opening& opening, Vec3f from, Vec3f direction);
-  bool sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
+  bool chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
   float pdfMap(Vec3f direction) const;
   float mixturePdf(const Receiver& at, Vec3f direction) const;
   // The same where the sum of importances and the solid angle of one opening are known already.

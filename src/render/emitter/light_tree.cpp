@@ -207,7 +207,7 @@ float LightTree::judge(const Node& node, const Receiver& at, float (&importance)
     importance[k] = node.intensity[k] * (inverse * inverse) * std::min(std::max(cosLight, 0.0f), 1.0f) *
                     std::min(std::max(cosHere, 0.0f), 1.0f);
   }
-  const float (&i)[kWidth] = importance;
+  const float(&i)[kWidth] = importance;
   return ((i[0] + i[1]) + (i[2] + i[3])) + ((i[4] + i[5]) + (i[6] + i[7]));
 }
 

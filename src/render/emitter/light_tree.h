@@ -42,11 +42,11 @@ class LightTree {
   static constexpr int kWidth = 8;
   // Eight children, each quantity side by side.
   struct alignas(32) Node {
-    float x[kWidth], y[kWidth], z[kWidth];  // middles of their boxes
-    float radius[kWidth];                   // of spheres around those
+    float x[kWidth], y[kWidth], z[kWidth];                             // middles of their boxes
+    float radius[kWidth];                                              // of spheres around those
     float axisX[kWidth], axisY[kWidth], axisZ[kWidth], slack[kWidth];  // middle and radius of a ball around
                                                                        // the normals
-    float intensity[kWidth];      // 0: no child
+    float intensity[kWidth];                                           // 0: no child
     float backSign[kWidth];       // -1: shines to the back as well; else 1
     std::uint32_t child[kWidth];  // node, or light with kLeaf set
     std::uint32_t parent;         // node * kWidth + place; of the root kNoParent

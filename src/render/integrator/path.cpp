@@ -1,6 +1,7 @@
 #include "render/integrator/path.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "render/emitter/lights.h"
 #include "render/material/bsdf.h"
@@ -10,9 +11,11 @@ namespace idap::render {
 
 namespace {
 
-constexpr int kRouletteAfter = 2;    // bounces that are always followed
-constexpr float kLocalShare = 0.5f;  // of lamps, where either lamps or daylight are asked
-constexpr int kMostSegments = 4096;  // a guard against endless loops, far beyond what roulette lets live
+constexpr int kRouletteAfter = 2;       // bounces that are always followed
+constexpr float kLocalShare = 0.5f;     // of questions, where either lamps or the sky are asked
+constexpr float kSteered = 0.4f;        // of bounces, towards patches of sun
+constexpr float kLeastDiffuse = 0.25f;  // of a surface's scattering, for steering to make sense
+constexpr int kMostSegments = 4096;     // a guard against endless loops, far beyond what roulette lets live
 
 // Power heuristic with exponent 2; b may be 0.
 float share(float a, float b) {
@@ -39,10 +42,11 @@ struct PathTracer::Walk {
 
   Ray ray{};
   Rgb throughput{1, 1, 1};
+  float reach = 1.0f;     // the throughput as it would be without steering; roulette goes by it
   float etaScale = 1.0f;  // undoes the squeezing of radiance in glass where roulette judges the throughput
   Receiver from{};        // where the ray was scattered, and the density with which
   float pdf = 0.0f;
-  float localShare = 1.0f, daylightShare = 1.0f;  // how likely light sampling asked lamps and daylight there
+  float localShare = 1.0f, skyShare = 1.0f;  // how likely light sampling asked lamps and the sky there
   bool sharp = true;  // camera or delta lobe: no light sampling could have found the same
   int bounces = 0;
   int segments = 0;
@@ -126,7 +130,8 @@ void PathTracer::addEmission(Walk& walk, const Hit& hit) const {
   const SurfaceData& surface = *walk.at.surface;
   float weight = 1;
   if (!walk.sharp && options_.lightSampling != LightSampling::SurfacesOnly) {
-    const float light = scene_.lights().local().pdfTriangle(walk.from, walk.ray, hit, walk.at) * walk.localShare;
+    const float light =
+        scene_.lights().local().pdfTriangle(walk.from, walk.ray, hit, walk.at) * walk.localShare;
     if (options_.lightSampling == LightSampling::LightsOnly)
       weight = light > 0 ? 0.0f : 1.0f;
     else
@@ -143,13 +148,14 @@ void PathTracer::addSky(Walk& walk) const {
   const auto weigh = [&](float lightPdf) {
     if (walk.sharp || options_.lightSampling == LightSampling::SurfacesOnly) return 1.0f;
     if (options_.lightSampling == LightSampling::LightsOnly) return lightPdf > 0 ? 0.0f : 1.0f;
-    return share(walk.pdf, lightPdf * walk.daylightShare);
+    return share(walk.pdf, lightPdf);
   };
   Rgb light{};
   if (daylight.hasSky()) {
     const Rgb sky = daylight.skyRadiance(walk.ray.direction);
     if (maxComponent(sky) > 0)
-      light += sky * weigh(walk.sharp ? 0.0f : daylight.pdfSky(walk.from, walk.ray.direction));
+      light +=
+          sky * weigh(walk.sharp ? 0.0f : walk.skyShare * daylight.pdfSky(walk.from, walk.ray.direction));
   }
   if (daylight.hasSun()) {
     const Rgb sun = daylight.sunRadiance(walk.ray.direction);
@@ -194,12 +200,25 @@ bool PathTracer::scatter(Walk& walk) const {
   }
 
   const Receiver here{at.position, at.ng, bsdf.seesBehind()};
-  float localShare = 1, daylightShare = 1;
+  float localShare = 1, skyShare = 1;
+
+  // Where surfaces scatter widely, some bounces are steered to patches of sun.
+  const SunPatches& patches = scene_.lights().sunPatches();
+  std::optional<SunPatchView> guide;
+  float steered = 0;
+  if (!patches.empty() && bsdf.diffuseShare() > kLeastDiffuse) {
+    guide.emplace(patches, here);
+    if (!guide->empty()) steered = kSteered;
+  }
+  const auto bouncePdf = [&](Vec3f wi, float pdf) {
+    return steered > 0 ? (1 - steered) * pdf + steered * guide->pdf(wi) : pdf;
+  };
   if (bsdf.scatters() && options_.lightSampling != LightSampling::SurfacesOnly) {
     const auto connect = [&](const LightSample& light) {
       const BsdfValue f = bsdf.eval(light.wi);
       Rgb value = walk.throughput * f.value * light.weight;
-      if (options_.lightSampling == LightSampling::Both && light.pdf > 0) value *= share(light.pdf, f.pdf);
+      if (options_.lightSampling == LightSampling::Both && light.pdf > 0)
+        value *= share(light.pdf, bouncePdf(light.wi, f.pdf));
       if (at.smooth) value *= terminator(at, light.wi);
       if (!(maxComponent(value) > 0)) return;
       ++walk.out.rays;
@@ -209,33 +228,31 @@ bool PathTracer::scatter(Walk& walk) const {
         value *= std::min(1.0f, options_.clampIndirect / std::max(luminance(value), 1e-20f));
       walk.add(value, light.lightGroup);
     };
-    const Lights& lights = scene_.lights();
-    // Where the picture sees the light itself, lamps and daylight are asked both; light that has yet to bounce
-    // on is worth one question only.
-    const bool one = walk.bounces > 0 && !lights.local().empty() && !lights.daylight().empty();
-    const float local = one ? kLocalShare : 1.0f;
-    localShare = local;
-    daylightShare = one ? 1 - local : 1.0f;
+    const LocalLights& locals = scene_.lights().local();
+    const Daylight& daylight = scene_.lights().daylight();
+    LightSample light;
+    // The sun is asked everywhere, since missing it costs most; lamps and the sky both where the picture
+    // shows the answer, and one of them where light has yet to bounce on.
+    if (daylight.hasSun() && daylight.sampleSun(here, walk.sampler.get2D(), light)) connect(light);
+    bool askLocal = !locals.empty(), askSky = daylight.hasSky();
     float choice = walk.sampler.get1D();
-    const bool askLocal = !lights.local().empty() && (!one || choice < local);
-    const bool askDaylight = !lights.daylight().empty() && (!one || choice >= local);
-    if (one) choice = std::min(askLocal ? choice / local : (choice - local) / (1 - local), kOneMinusEpsilon);
-    if (askLocal) {
-      LightSample light;
-      const Vec2f u = walk.sampler.get2D();
-      if (lights.local().sample(here, choice, u, light)) {
-        light.pdf *= localShare;
-        light.weight *= 1 / localShare;
-        connect(light);
-      }
+    if (askLocal && askSky && walk.bounces > 0) {
+      localShare = kLocalShare;
+      skyShare = 1 - kLocalShare;
+      askLocal = choice < localShare;
+      askSky = !askLocal;
+      choice = askLocal ? choice / localShare : std::min((choice - localShare) / skyShare, kOneMinusEpsilon);
     }
-    if (askDaylight) {
-      LightSample light;
+    if (askLocal && locals.sample(here, choice, walk.sampler.get2D(), light)) {
+      light.pdf *= localShare;
+      light.weight *= 1 / localShare;
+      connect(light);
+    }
+    if (askSky) {
       if (askLocal) choice = walk.sampler.get1D();
-      const Vec2f u = walk.sampler.get2D();
-      if (lights.daylight().sample(here, choice, u, light)) {
-        light.pdf *= daylightShare;
-        light.weight *= 1 / daylightShare;
+      if (daylight.sampleSky(here, choice, walk.sampler.get2D(), light)) {
+        light.pdf *= skyShare;
+        light.weight *= 1 / skyShare;
         connect(light);
       }
     }
@@ -243,8 +260,25 @@ bool PathTracer::scatter(Walk& walk) const {
 
   const float lobe = walk.sampler.get1D();
   const Vec2f u = walk.sampler.get2D();
-  const BsdfSample s = bsdf.sample(lobe, u);
-  if (!(s.pdf > 0)) return false;
+  BsdfSample s;
+  if (lobe < steered) {
+    s.wi = guide->sample(lobe / steered, u);
+    const BsdfValue f = bsdf.eval(s.wi);
+    if (!(f.pdf > 0)) return false;
+    s.pdf = f.pdf;
+    s.weight = f.value * (1 / f.pdf);
+  } else {
+    s = bsdf.sample(std::min((lobe - steered) / (1 - steered), kOneMinusEpsilon), u);
+    if (!(s.pdf > 0)) return false;
+  }
+  walk.reach *= maxComponent(s.weight);
+  if (s.delta) {
+    s.weight *= 1 / (1 - steered);
+  } else if (steered > 0) {
+    const float pdf = bouncePdf(s.wi, s.pdf);
+    s.weight *= s.pdf / pdf;
+    s.pdf = pdf;
+  }
   walk.throughput *= s.weight;
   if (s.straight) {
     walk.pass(dot(at.position - walk.ray.origin, walk.ray.direction));
@@ -254,7 +288,7 @@ bool PathTracer::scatter(Walk& walk) const {
     walk.from = here;
     walk.pdf = s.pdf;
     walk.localShare = localShare;
-    walk.daylightShare = daylightShare;
+    walk.skyShare = skyShare;
     walk.sharp = s.delta;
     walk.etaScale *= s.etaScale;
     ++walk.bounces;
@@ -262,9 +296,10 @@ bool PathTracer::scatter(Walk& walk) const {
   if (!(maxComponent(walk.throughput) > 0)) return false;
 
   if (walk.bounces > kRouletteAfter || walk.segments > 16) {
-    const float survival = std::min(0.98f, maxComponent(walk.throughput) / walk.etaScale);
+    const float survival = std::min(0.98f, walk.reach / walk.etaScale);
     if (walk.sampler.get1D() >= survival) return false;
     walk.throughput *= 1 / survival;
+    walk.reach *= 1 / survival;
   }
   ++walk.segments;
   return true;

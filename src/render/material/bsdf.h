@@ -39,6 +39,8 @@ class Bsdf {
   }
   // True when light from behind the surface can reach wo other than by a delta lobe.
   bool seesBehind() const { return share_[kThrough] > 0 || (share_[kGlass] > 0 && !smooth_); }
+  // The share of samples that go to the diffuse base, on either side.
+  float diffuseShare() const { return share_[kDiffuse] + share_[kThrough]; }
   // True when most light passes or mirrors sharply, so that a picture shows other things in it.
   bool mostlySharp() const;
   // The directional reflectance towards wo, roughly; for denoising.

@@ -163,7 +163,7 @@ TEST(Daylight, SkyIsSampledWithTheDensityItClaims) {
     expectMatchingDensity(
         [&](float a, float b, float c) {
           LightSample s;
-          const bool ok = daylight.sample(at, a, {b, c}, s);
+          const bool ok = daylight.sampleSky(at, a, {b, c}, s);
           if (ok) {
             EXPECT_NEAR(s.pdf, daylight.pdfSky(at, s.wi), 1e-3f * s.pdf + 1e-5f);
           }
