@@ -68,6 +68,8 @@ Bytes readFile(const std::filesystem::path& path, std::size_t maxBytes) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail(path, "read", errno);
   if (S_ISDIR(info.st_mode)) fail(path, "read", EISDIR);
+  if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode))
+    throw IoError(path.string() + ": cannot read: a device, not a file");  // some never end
   if (static_cast<std::size_t>(info.st_size) > maxBytes) throw IoError(path.string() + ": file is too large");
   Bytes bytes(static_cast<std::size_t>(info.st_size));
   std::size_t done = 0;

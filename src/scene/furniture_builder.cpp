@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kThinnest = 1e-4;  // m; a size of 0 would make the transform singular
 constexpr std::size_t kMostGroups = 4096;
+constexpr std::size_t kNamed = 3;  // pieces named in a warning
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
@@ -129,9 +130,8 @@ std::optional<FurnitureBuilder::Placed> FurnitureBuilder::place(ElementId id, co
   const bool missing = !entry.model;
   if (missing) {
     if (!entry.problem.empty()) {
-      built_.warnings.push_back(fmt::format("\"{}\": {}{}", piece.name.empty() ? "a piece" : piece.name,
-                                            entry.problem,
-                                            boxIfMissing ? "; a box stands in its place" : ""));
+      Problem& problem = problems_[entry.problem + (boxIfMissing ? "; a box stands in its place" : "")];
+      if (problem.count++ < kNamed) problem.names.push_back(piece.name.empty() ? "a piece" : piece.name);
     }
     if (!boxIfMissing) return std::nullopt;
     if (!box_) box_ = unitBox();
@@ -278,6 +278,15 @@ bool FurnitureBuilder::add(OpeningId id, const Opening& opening) {
     const render::Surface& surface = built_.scene->surfaces[s];
     return surface.transmission > 0.2f || surface.opacity < 0.8f;
   });
+}
+
+void FurnitureBuilder::tellProblems() {
+  for (const auto& [what, problem] : problems_) {
+    const std::size_t others = problem.count - problem.names.size();
+    built_.warnings.push_back(fmt::format("\"{}\"{}: {}", fmt::join(problem.names, "\", \""),
+                                          others > 0 ? fmt::format(" and {} more", others) : "", what));
+  }
+  problems_.clear();
 }
 
 }  // namespace idap

@@ -22,8 +22,14 @@ class FurnitureBuilder {
   void add(FurnitureId id, const Furniture& piece, LampPolicy lamps);
   // Returns true when light gets through the model: a pane, or no model at all.
   bool add(OpeningId id, const Opening& opening);
+  // Adds to the warnings what could not be shown: a line for each reason, not for each piece.
+  void tellProblems();
 
  private:
+  struct Problem {
+    std::vector<std::string> names;  // of the first pieces
+    std::size_t count = 0;
+  };
   struct Placed {
     std::uint32_t instance = 0;
     const SurfaceModel* model = nullptr;  // null: a box in its stead
@@ -52,6 +58,7 @@ class FurnitureBuilder {
   // Meshes of lamps whose shades have slots of their own: by the mesh they come from and the slots.
   std::map<std::pair<const Mesh*, std::vector<std::uint32_t>>, std::shared_ptr<const Mesh>> glowing_;
   std::shared_ptr<const Mesh> box_;
+  std::map<std::string, Problem> problems_;
 };
 
 }  // namespace idap

@@ -67,8 +67,7 @@ std::vector<OpeningCut> openingCuts(const Home& home, const std::vector<Storey>&
   std::vector<OpeningCut> cuts;
   for (const auto& [id, opening] : home.openings) {
     if (!opening->cutsWalls || !isShownOn(home, storeys, *opening)) continue;
-    const auto storey =
-        std::find_if(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == opening->level; });
+    const auto storey = std::ranges::find(storeys, opening->level, &Storey::id);
     if (storey == storeys.end() || !isFinite(opening->position) || !isFinite(opening->size)) continue;
     OpeningCut cut;
     cut.id = id;

@@ -101,8 +101,7 @@ RoomBuilder::RoomBuilder(const Home& home, const std::vector<Storey>& storeys,
       ceilings_(ceilings) {
   for (std::size_t i = 0; i < storeys_.size(); ++i) wallPlans_.push_back(wallPlan(walls_, i, -1e300));
   for (const auto& [id, room] : home.rooms) {
-    const auto storey =
-        std::find_if(storeys_.begin(), storeys_.end(), [&](const Storey& s) { return s.id == room->level; });
+    const auto storey = std::ranges::find(storeys_, room->level, &Storey::id);
     if (storey == storeys_.end()) continue;
     Room r;
     r.id = id;

@@ -17,6 +17,7 @@ namespace idap {
 namespace {
 
 constexpr double kGroundBelow = 0.015;  // m, of the land below the ground floor
+constexpr float kGroundGrey = 0.35f;    // share of grey that is mixed into the land's colour
 
 Box2 planBounds(const Home& home, const std::vector<WallSolid>& walls) {
   Box2 box;
@@ -234,6 +235,7 @@ class Build {
       if (!isOnShownStorey(*opening)) continue;
       if (builder.add(id, *opening)) addPortal(id, rooms);
     }
+    builder.tellProblems();
   }
 
   // A rectangle in the wall where an opening leads from indoors to outdoors.
@@ -276,6 +278,11 @@ class Build {
     soil.color = {0.66f, 0.66f, 0.66f};
     soil.roughness = 0.95;
     soil_ = surfaces_.surface(soil, home_.environment.ground);
+    // No grass or earth is as pure a colour as a screen can show; it would tint every ceiling.
+    if (!soil_.baseColorMap) {
+      const float grey = luminance(soil_.baseColor);
+      soil_.baseColor = soil_.baseColor * (1 - kGroundGrey) + Rgb{grey, grey, grey} * kGroundGrey;
+    }
     const Rgb albedo =
         soil_.baseColor * (soil_.baseColorMap ? meanReflectance(*soil_.baseColorMap) : Rgb{1, 1, 1});
     conditions.groundAlbedo = std::clamp(luminance(albedo), 0.03f, 0.6f);

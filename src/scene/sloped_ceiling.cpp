@@ -52,7 +52,7 @@ void raise(Mesh3& mesh) {
       const auto [a, b] = edge;
       const auto twin = owner.find({b, a});
       if (a > b || twin == owner.end()) continue;
-      const auto apex = [&](std::size_t triangle) {
+      const auto apex = [&, a = a, b = b](std::size_t triangle) {
         for (const std::uint32_t v : mesh.triangles[triangle]) {
           if (v != a && v != b) return v;
         }

@@ -69,8 +69,7 @@ bool isShownOn(const Home& home, const std::vector<Storey>& storeys, const Piece
 std::vector<WallSolid> wallSolids(const Home& home, const std::vector<Storey>& storeys) {
   std::vector<WallSolid> solids;
   for (const auto& [id, wall] : home.walls) {
-    const auto storey =
-        std::find_if(storeys.begin(), storeys.end(), [&](const Storey& s) { return s.id == wall->level; });
+    const auto storey = std::ranges::find(storeys, wall->level, &Storey::id);
     if (storey == storeys.end()) continue;
     if (!isFinite(wall->start) || !isFinite(wall->end) || !(length(wall->end - wall->start) > 1e-4) ||
         !(wall->thickness > 1e-4) || !(std::max(wall->heightAtStart, wall->heightAtEnd) > 1e-3)) {

@@ -222,7 +222,7 @@ void wallClock(Builder& b, const Parameters&) {
                  b.box({-w, 0.84 * r - l, z - 0.0005}, {w, 0.84 * r, z + 0.0008}, 0);
                });
              for (const auto& [turn, length, width] : {std::tuple{-0.98, 0.5, 0.028}, {1.07, 0.74, 0.018}})
-               b.within(Transform::rotationZ(turn), [&] {
+               b.within(Transform::rotationZ(turn), [&, width = width, length = length] {
                  b.box({-width * r, -0.1 * r, z + 0.002}, {width * r, length * r, z + 0.0032}, 0.0004);
                });
              b.cylinder({0, 0, z}, 0.035 * r, 0.006, 0.001, 20);

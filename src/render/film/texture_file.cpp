@@ -3,6 +3,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,8 @@ const char* kindOf(const Bytes& bytes) {
   if (text.starts_with("II*\0"sv) || text.starts_with("MM\0*"sv)) return "tif";
   if (text.size() > 12 && text.starts_with("RIFF") && text.substr(8, 4) == "WEBP") return "webp";
   if (text.starts_with("#?RADIANCE") || text.starts_with("#?RGBE")) return "hdr";
-  if (text.starts_with("P6") && text.size() > 2 && std::isspace(static_cast<unsigned char>(text[2]))) return "ppm";
+  if (text.starts_with("P6") && text.size() > 2 && std::isspace(static_cast<unsigned char>(text[2])))
+    return "ppm";
   if (text.starts_with("\x76\x2f\x31\x01")) return "exr";
   if (looksLikeTarga(text)) return "tga";
   return nullptr;
@@ -53,7 +55,39 @@ struct Decoded {
   std::vector<std::uint8_t> samples;
 };
 
-Decoded decode(const Bytes& bytes, const char* kind) {
+// The chunks of a PNG that make its pixels, each whole by its checksum; profiles, texts and times are left
+// out. The library behind OpenImageIO complains of odd and damaged ones on standard error, where it has no
+// business.
+Bytes plainPng(const Bytes& bytes) {
+  constexpr std::size_t kSignature = 8, kFrame = 12;  // length, name, checksum
+  const auto word = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
+    return value;
+  };
+  Bytes plain(bytes.begin(), bytes.begin() + kSignature);
+  for (std::size_t at = kSignature; bytes.size() - at >= kFrame;) {
+    const std::size_t size = word(at);
+    if (bytes.size() - at - kFrame < size) break;
+    const std::string_view name = asText(bytes).substr(at + 4, 4);
+    const bool pixels =
+        name == "IHDR" || name == "PLTE" || name == "tRNS" || name == "IDAT" || name == "IEND";
+    if (pixels) {
+      const auto* checked = reinterpret_cast<const Bytef*>(&bytes[at + 4]);
+      if (crc32_z(0, checked, size + 4) != word(at + 8 + size)) fail("is damaged");
+      const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+      plain.insert(plain.end(), begin, begin + static_cast<std::ptrdiff_t>(size + kFrame));
+    }
+    if (name == "IEND") return plain;
+    at += size + kFrame;
+  }
+  fail("is damaged: its end is missing");
+}
+
+Decoded decode(const Bytes& original, const char* kind) {
+  const bool png = std::string_view(kind) == "png";
+  const Bytes rewritten = png ? plainPng(original) : Bytes();
+  const Bytes& bytes = png ? rewritten : original;
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
   OIIO::ImageSpec wish;
   wish.attribute("oiio:UnassociatedAlpha", 1);
@@ -96,7 +130,8 @@ Decoded decode(const Bytes& bytes, const char* kind) {
   return d;
 }
 
-// Binary portable pixmaps of 8 bits, which OpenImageIO reads from files only: "P6", width, height, 255, samples.
+// Binary portable pixmaps of 8 bits, which OpenImageIO reads from files only: "P6", width, height, 255,
+// samples.
 Decoded decodePixmap(const Bytes& bytes) {
   const std::string_view text = asText(bytes);
   std::size_t at = 2;
@@ -112,7 +147,8 @@ Decoded decodePixmap(const Bytes& bytes) {
     return value;
   };
   const int width = number(), height = number(), white = number();
-  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide) fail("has a wrong size");
+  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
+    fail("has a wrong size");
   if (white != 255) fail("is a pixmap of another depth than 8 bits");
   const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
   ++at;  // the one white space after the header
