@@ -102,7 +102,7 @@ std::vector<WallCut> cutsOf(const WallSolid& wall, const std::vector<OpeningCut>
     if (!bounds(box).overlaps(wall.box)) continue;
     const Regions common = intersect({{box, {}}}, {{wall.polygon, {}}});
     const double depth = cut.v1 - cut.v0;
-    if (area(common) < (u1 - u0) * std::min(0.005, 0.3 * depth)) continue;
+    if (common.empty() || area(common) < (u1 - u0) * std::min(0.005, 0.3 * depth)) continue;
 
     // The wall's direction where it is cut.
     const std::vector<Vec2> line = wallCentreLine(*wall.wall);
