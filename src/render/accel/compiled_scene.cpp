@@ -10,63 +10,23 @@
 #include <map>
 
 #include "base/error.h"
+#include "render/accel/hit_instance.h"
 #include "render/accel/mesh_accel.h"
 #include "render/emitter/lights.h"
 #include "render/material/albedo_table.h"
 
 namespace idap::render {
 
-// All that a hit needs of its instance, in one place.
-struct HitInstance {
-  const Vec3f* positions = nullptr;
-  const Vec3f* normals = nullptr;
-  const Vec2f* uvs = nullptr;
-  const std::array<std::uint32_t, 3>* triangles = nullptr;
-  const std::uint32_t* slots = nullptr;
-  const std::uint32_t* surfaces = nullptr;
-  const std::uint32_t* triangleMap[2] = {};
-  Transformf toWorld;
-  Transformf normalToWorld;  // cofactor matrix, signed so that fronts stay fronts in a mirror
-  float translation = 0.0f;  // the largest coordinate of the transform's origin
-  std::uint32_t objectId = 0;
-  std::uint16_t lightGroup = 0;
-
-  std::uint32_t triangleOf(unsigned geometry, unsigned primitive) const {
-    const std::uint32_t* map = triangleMap[geometry & 1u];
-    return map ? map[primitive] : primitive;
-  }
-  std::uint32_t surfaceOf(std::uint32_t triangle) const { return surfaces[slots ? slots[triangle] : 0]; }
-};
-
 namespace {
-
-// A hit's position is off by some ulps of the coordinates it was computed from; new rays start this many
-// ulps (2^-23) away. 48 ulps at 10 m are 0.06 mm.
-constexpr float kOffsetUlps = 48.0f * 1.1920929e-7f;
 
 bool usable(const Transformf& t) {
   const float d = t.determinant();
   return std::isfinite(d) && d != 0.0f && std::isfinite(dot(t.origin, t.origin));
 }
 
-Vec2f interpolate(Vec2f a, Vec2f b, Vec2f c, float u, float v) { return a * (1 - u - v) + b * u + c * v; }
-Vec3f interpolate(Vec3f a, Vec3f b, Vec3f c, float u, float v) { return a * (1 - u - v) + b * u + c * v; }
-
 bool keepTrackOfMemory(void* counter, ssize_t bytes, bool) {
   static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
-}
-
-// Tilts a shading normal just so far that the mirror image of wo about it stays above the surface.
-Vec3f bend(Vec3f ns, Vec3f ng, Vec3f wo) {
-  const Vec3f mirrored = ns * (2 * dot(ns, wo)) - wo;
-  const float threshold = 0.02f * std::min(1.0f, 2 * dot(ng, wo));
-  const float height = dot(mirrored, ng);
-  if (height >= threshold) return ns;
-  const Vec3f lifted = normalized(mirrored + ng * (threshold - height));
-  const Vec3f half = lifted + wo;
-  const float l2 = dot(half, half);
-  return l2 > 1e-8f ? half * (1 / std::sqrt(l2)) : ng;
 }
 
 }  // namespace
@@ -372,59 +332,7 @@ Rgb CompiledScene::transmittance(const Ray& ray) const {
 bool CompiledScene::occluded(const Ray& ray) const { return maxComponent(transmittance(ray)) <= 0; }
 
 Interaction CompiledScene::interaction(const Ray& ray, const Hit& hit) const {
-  const HitInstance& data = accel_->instances[hit.instance];
-  const auto& c = data.triangles[hit.triangle];
-  const Vec3f a = data.positions[c[0]], b = data.positions[c[1]], d = data.positions[c[2]];
-
-  Interaction s;
-  s.surfaceIndex = data.surfaceOf(hit.triangle);
-  s.surface = &accel_->surfaces[s.surfaceIndex];
-  s.objectId = data.objectId;
-  s.lightGroup = data.lightGroup;
-  s.position = data.toWorld.point(interpolate(a, b, d, hit.u, hit.v));
-  const float size = std::max({std::fabs(s.position.x), std::fabs(s.position.y), std::fabs(s.position.z)});
-  s.offset = kOffsetUlps * std::max(size + data.translation, 0.1f);
-
-  Vec3f ng = data.normalToWorld.vector(hit.objectNormal);
-  const float l2 = dot(ng, ng);
-  ng = l2 > 0 && std::isfinite(l2) ? ng * (1 / std::sqrt(l2)) : -ray.direction;
-  s.frontFace = dot(ng, ray.direction) <= 0;
-  s.ng = s.frontFace ? ng : -ng;
-  s.ns = s.ng;
-
-  if (s.surface->hasMaps && data.uvs)
-    s.uv = interpolate(data.uvs[c[0]], data.uvs[c[1]], data.uvs[c[2]], hit.u, hit.v);
-  if (data.normals) {
-    const Vec3f n = data.normalToWorld.vector(
-        interpolate(data.normals[c[0]], data.normals[c[1]], data.normals[c[2]], hit.u, hit.v));
-    const float n2 = dot(n, n);
-    if (n2 > 0 && std::isfinite(n2)) {
-      s.ns = n * ((s.frontFace ? 1.0f : -1.0f) / std::sqrt(n2));
-      s.smooth = true;
-    }
-  }
-  if (s.surface->normalMap && data.uvs) {
-    const Vec2f u1 = s.surface->mapUv(data.uvs[c[1]]) - s.surface->mapUv(data.uvs[c[0]]);
-    const Vec2f u2 = s.surface->mapUv(data.uvs[c[2]]) - s.surface->mapUv(data.uvs[c[0]]);
-    const float det = cross(u1, u2);
-    const Vec3f e1 = data.toWorld.vector(b - a), e2 = data.toWorld.vector(d - a);
-    Vec3f tangent = (e1 * u2.y - e2 * u1.y) * (det < 0 ? -1.0f : 1.0f);
-    tangent = tangent - s.ns * dot(s.ns, tangent);
-    const float t2 = dot(tangent, tangent);
-    if (std::fabs(det) > 1e-20f && t2 > 0 && std::isfinite(t2)) {
-      tangent = tangent * (1 / std::sqrt(t2));
-      Vec3f bitangent = cross(s.ns, tangent);
-      const Vec3f up = (e2 * u1.x - e1 * u2.x) * (det < 0 ? -1.0f : 1.0f);
-      if (dot(bitangent, up) < 0) bitangent = -bitangent;
-      const Rgb m = lookUp(*s.surface->normalMap, s.surface->mapUv(s.uv)).color;
-      const Vec3f n =
-          tangent * (2 * m.x - 1) + bitangent * (2 * m.y - 1) + s.ns * std::max(2 * m.z - 1, 0.05f);
-      s.ns = normalized(n);
-      s.smooth = true;
-    }
-  }
-  if (s.smooth) s.ns = bend(s.ns, s.ng, -ray.direction);
-  return s;
+  return interactionOn(accel_->instances[hit.instance], accel_->surfaces.data(), ray, hit);
 }
 
 }  // namespace idap::render

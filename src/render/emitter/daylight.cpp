@@ -11,9 +11,14 @@ namespace idap::render {
 
 namespace {
 
-// Where portals are given, this share of sky samples still ignores them: gaps nobody marked let light in,
-// too.
-constexpr float kMapShare = 0.15f;
+// Where portals are given, at least this share of sky samples still ignores them: gaps nobody marked let
+// light in, too. The smaller they are seen, the likelier the point is out of doors, and the more samples
+// ignore them.
+constexpr float kLeastMapShare = 0.15f;
+constexpr float kFarPortals = 0.02f;  // sr, where half of the others do
+float mapShare(float importance) {
+  return kLeastMapShare + (1 - kLeastMapShare) * kFarPortals / (kFarPortals + importance);
+}
 // A portal seen under less than this (sr) is left to the sky map.
 constexpr float kLeastSolidAngle = 1e-5f;
 
@@ -142,8 +147,9 @@ bool Daylight::sampleSky(const Receiver& at, float choice, Vec2f u, LightSample&
 bool Daylight::chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
   float sum = 0;
   for (const Opening& o : openings_) sum += importance(o, at);
-  if (sum > 0 && choice >= kMapShare) {
-    float rest = (choice - kMapShare) / (1 - kMapShare) * sum;
+  const float byMap = mapShare(sum);
+  if (sum > 0 && choice >= byMap) {
+    float rest = (choice - byMap) / (1 - byMap) * sum;
     const Opening* chosen = nullptr;
     for (const Opening& o : openings_) {
       const float w = importance(o, at);
@@ -195,7 +201,8 @@ float Daylight::mixturePdf(const Receiver& at, Vec3f d, float sum, const Opening
         &o == known ? knownAngle : SphericalRectangle(o.corner, o.edgeU, o.edgeV, at.position).solidAngle();
     if (solidAngle >= kLeastSolidAngle * 0.1f) through += w / solidAngle;
   }
-  return kMapShare * map + (1 - kMapShare) * through / sum;
+  const float byMap = mapShare(sum);
+  return byMap * map + (1 - byMap) * through / sum;
 }
 
 float Daylight::pdfSky(const Receiver& at, Vec3f d) const { return hasSky_ ? mixturePdf(at, d) : 0.0f; }

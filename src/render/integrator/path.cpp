@@ -42,7 +42,6 @@ struct PathTracer::Walk {
 
   Ray ray{};
   Rgb throughput{1, 1, 1};
-  float reach = 1.0f;     // the throughput as it would be without steering; roulette goes by it
   float etaScale = 1.0f;  // undoes the squeezing of radiance in glass where roulette judges the throughput
   Receiver from{};        // where the ray was scattered, and the density with which
   float pdf = 0.0f;
@@ -271,7 +270,9 @@ bool PathTracer::scatter(Walk& walk) const {
     s = bsdf.sample(std::min((lobe - steered) / (1 - steered), kOneMinusEpsilon), u);
     if (!(s.pdf > 0)) return false;
   }
-  walk.reach *= maxComponent(s.weight);
+  // Roulette goes by what the throughput would be had the bounce not been steered: it must not kill the paths
+  // that have been aimed at the sun's patches before they get there.
+  const float reach = maxComponent(walk.throughput * s.weight);
   if (s.delta) {
     s.weight *= 1 / (1 - steered);
   } else if (steered > 0) {
@@ -296,10 +297,9 @@ bool PathTracer::scatter(Walk& walk) const {
   if (!(maxComponent(walk.throughput) > 0)) return false;
 
   if (walk.bounces > kRouletteAfter || walk.segments > 16) {
-    const float survival = std::min(0.98f, walk.reach / walk.etaScale);
+    const float survival = std::min(0.98f, reach / walk.etaScale);
     if (walk.sampler.get1D() >= survival) return false;
     walk.throughput *= 1 / survival;
-    walk.reach *= 1 / survival;
   }
   ++walk.segments;
   return true;

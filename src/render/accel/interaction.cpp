@@ -1,0 +1,86 @@
+#include "render/accel/interaction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/accel/hit_instance.h"
+
+namespace idap::render {
+
+namespace {
+
+// A hit's position is off by some ulps of the coordinates it was computed from; new rays start this many
+// ulps (2^-23) away. 48 ulps at 10 m are 0.06 mm.
+constexpr float kOffsetUlps = 48.0f * 1.1920929e-7f;
+
+// Tilts a shading normal just so far that the mirror image of wo about it stays above the surface.
+Vec3f bend(Vec3f ns, Vec3f ng, Vec3f wo) {
+  const Vec3f mirrored = ns * (2 * dot(ns, wo)) - wo;
+  const float threshold = 0.02f * std::min(1.0f, 2 * dot(ng, wo));
+  const float height = dot(mirrored, ng);
+  if (height >= threshold) return ns;
+  const Vec3f lifted = normalized(mirrored + ng * (threshold - height));
+  const Vec3f half = lifted + wo;
+  const float l2 = dot(half, half);
+  return l2 > 1e-8f ? half * (1 / std::sqrt(l2)) : ng;
+}
+
+}  // namespace
+
+Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, const Ray& ray,
+                          const Hit& hit) {
+  const auto& c = data.triangles[hit.triangle];
+  const Vec3f a = data.positions[c[0]], b = data.positions[c[1]], d = data.positions[c[2]];
+
+  Interaction s;
+  s.surfaceIndex = data.surfaceOf(hit.triangle);
+  s.surface = &surfaces[s.surfaceIndex];
+  s.objectId = data.objectId;
+  s.lightGroup = data.lightGroup;
+  s.position = data.toWorld.point(interpolate(a, b, d, hit.u, hit.v));
+  const float size = std::max({std::fabs(s.position.x), std::fabs(s.position.y), std::fabs(s.position.z)});
+  s.offset = kOffsetUlps * std::max(size + data.translation, 0.1f);
+
+  Vec3f ng = data.normalToWorld.vector(hit.objectNormal);
+  const float l2 = dot(ng, ng);
+  ng = l2 > 0 && std::isfinite(l2) ? ng * (1 / std::sqrt(l2)) : -ray.direction;
+  s.frontFace = dot(ng, ray.direction) <= 0;
+  s.ng = s.frontFace ? ng : -ng;
+  s.ns = s.ng;
+
+  if (s.surface->hasMaps && data.uvs)
+    s.uv = interpolate(data.uvs[c[0]], data.uvs[c[1]], data.uvs[c[2]], hit.u, hit.v);
+  if (data.normals) {
+    const Vec3f n = data.normalToWorld.vector(
+        interpolate(data.normals[c[0]], data.normals[c[1]], data.normals[c[2]], hit.u, hit.v));
+    const float n2 = dot(n, n);
+    if (n2 > 0 && std::isfinite(n2)) {
+      s.ns = n * ((s.frontFace ? 1.0f : -1.0f) / std::sqrt(n2));
+      s.smooth = true;
+    }
+  }
+  if (s.surface->normalMap && data.uvs) {
+    const Vec2f u1 = s.surface->mapUv(data.uvs[c[1]]) - s.surface->mapUv(data.uvs[c[0]]);
+    const Vec2f u2 = s.surface->mapUv(data.uvs[c[2]]) - s.surface->mapUv(data.uvs[c[0]]);
+    const float det = cross(u1, u2);
+    const Vec3f e1 = data.toWorld.vector(b - a), e2 = data.toWorld.vector(d - a);
+    Vec3f tangent = (e1 * u2.y - e2 * u1.y) * (det < 0 ? -1.0f : 1.0f);
+    tangent = tangent - s.ns * dot(s.ns, tangent);
+    const float t2 = dot(tangent, tangent);
+    if (std::fabs(det) > 1e-20f && t2 > 0 && std::isfinite(t2)) {
+      tangent = tangent * (1 / std::sqrt(t2));
+      Vec3f bitangent = cross(s.ns, tangent);
+      const Vec3f up = (e2 * u1.x - e1 * u2.x) * (det < 0 ? -1.0f : 1.0f);
+      if (dot(bitangent, up) < 0) bitangent = -bitangent;
+      const Rgb m = lookUp(*s.surface->normalMap, s.surface->mapUv(s.uv)).color;
+      const Vec3f n =
+          tangent * (2 * m.x - 1) + bitangent * (2 * m.y - 1) + s.ns * std::max(2 * m.z - 1, 0.05f);
+      s.ns = normalized(n);
+      s.smooth = true;
+    }
+  }
+  if (s.smooth) s.ns = bend(s.ns, s.ng, -ray.direction);
+  return s;
+}
+
+}  // namespace idap::render
