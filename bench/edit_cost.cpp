@@ -1,5 +1,5 @@
-// What one mouse move of a drag costs in homes of growing size: the preview with its validation, and the diff that
-// views follow. Both should stay flat while the home grows a hundredfold.
+// What one mouse move of a drag costs in homes of growing size: the preview with its validation, and the diff
+// that views follow. Both should stay flat while the home grows a hundredfold.
 #include <benchmark/benchmark.h>
 
 #include "model/diff.h"

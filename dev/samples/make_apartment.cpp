@@ -1,5 +1,6 @@
 // Builds the sample home share/samples/apartment.idap: a two-room apartment of built-in pieces only.
-//   ninja -C build/release make_apartment && build/release/dev/samples/make_apartment share/samples/apartment.idap
+//   ninja -C build/release make_apartment && build/release/dev/samples/make_apartment
+//   share/samples/apartment.idap
 #include <cstdio>
 #include <string>
 
@@ -10,10 +11,11 @@ namespace {
 
 using namespace idap;
 
-constexpr double kOuter = 0.3, kInner = 0.1;        // m, wall thickness
-constexpr double kWidth = 8.6, kDepth = 5.8;        // m, between the outer walls' centre lines
-constexpr double kPartition = 5.2, kBathroom = 2.2; // m, centre lines of the inner walls
-constexpr double kSouth = 0, kEast = kPi / 2, kNorth = kPi, kWest = -kPi / 2;  // where a piece's front looks to
+constexpr double kOuter = 0.3, kInner = 0.1;         // m, wall thickness
+constexpr double kWidth = 8.6, kDepth = 5.8;         // m, between the outer walls' centre lines
+constexpr double kPartition = 5.2, kBathroom = 2.2;  // m, centre lines of the inner walls
+constexpr double kSouth = 0, kEast = kPi / 2, kNorth = kPi,
+                 kWest = -kPi / 2;  // where a piece's front looks to
 
 class Apartment {
  public:
@@ -22,9 +24,12 @@ class Apartment {
   Home build() {
     home_.name = "Apartment";
     home_.title = "A two-room apartment";
-    home_.site = {.latitude = 13.7563 * kPi / 180, .longitude = 100.5018 * kPi / 180, .timeZone = "Asia/Bangkok",
+    home_.site = {.latitude = 13.7563 * kPi / 180,
+                  .longitude = 100.5018 * kPi / 180,
+                  .timeZone = "Asia/Bangkok",
                   .time = 1797840000000,  // 2026-12-21 15:00 there
-                  .compassPosition = {-1.5, kDepth + 1}, .compassDiameter = 1};
+                  .compassPosition = {-1.5, kDepth + 1},
+                  .compassDiameter = 1};
     home_.environment.ground = {.color = Color{0.52f, 0.58f, 0.42f}};
     buildShell();
     furnishLivingRoom();
@@ -133,16 +138,22 @@ class Apartment {
     join(east, north);
     join(north, west);
     join(west, south);
-    const WallId partition = wall({kPartition, 0}, {kPartition, kDepth}, kInner, "warm-white-paint", "warm-white-paint");
+    const WallId partition =
+        wall({kPartition, 0}, {kPartition, kDepth}, kInner, "warm-white-paint", "warm-white-paint");
     wall({kPartition, kBathroom}, {kWidth, kBathroom}, kInner, "dusty-blue-paint", "white-tiles");
 
     const double o = kOuter / 2, i = kInner / 2;
-    room("Living room", {{o, o}, {kPartition - i, o}, {kPartition - i, kDepth - o}, {o, kDepth - o}}, "oak-herringbone");
+    room("Living room", {{o, o}, {kPartition - i, o}, {kPartition - i, kDepth - o}, {o, kDepth - o}},
+         "oak-herringbone");
     room("Bedroom",
-         {{kPartition + i, kBathroom + i}, {kWidth - o, kBathroom + i}, {kWidth - o, kDepth - o}, {kPartition + i, kDepth - o}},
+         {{kPartition + i, kBathroom + i},
+          {kWidth - o, kBathroom + i},
+          {kWidth - o, kDepth - o},
+          {kPartition + i, kDepth - o}},
          "light-oak-planks");
     room("Bathroom",
-         {{kPartition + i, o}, {kWidth - o, o}, {kWidth - o, kBathroom - i}, {kPartition + i, kBathroom - i}}, "grey-tiles");
+         {{kPartition + i, o}, {kWidth - o, o}, {kWidth - o, kBathroom - i}, {kPartition + i, kBathroom - i}},
+         "grey-tiles");
 
     opening("door-sliding-glass", south, {2.5, 0}, kNorth, 0, {2.6, 2.2});
     opening("window-double", west, {0, 2.1}, kEast, 0.95, {1.5, 1.3});

@@ -20,7 +20,7 @@ namespace idap::render {
 
 namespace {
 
-constexpr int kTile = 896;       // largest tile with its margins, pixels
+constexpr int kTile = 704;       // largest tile with its margins, pixels
 constexpr int kTileMargin = 96;  // what a pixel's value depends on, roughly half the receptive field of 174
 
 int roundedUp(int n) { return (n + kBlock - 1) / kBlock * kBlock; }

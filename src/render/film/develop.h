@@ -33,8 +33,8 @@ std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings
 // 8-bit picture of linear colours that are already exposed.
 Image8 toImage(const std::vector<Rgb>& exposed, int width, int height, ToneMap toneMap);
 
-// The light of a lamp or the day (2200 to 12 000 K) that is as warm as this one, luminance 1. What is green or
-// purple in an estimate comes from lawns and painted walls, and must not tint the picture.
+// The light of a lamp or the day (2200 to 12 000 K) that is as warm as this one, luminance 1. What is green
+// or purple in an estimate comes from lawns and painted walls, and must not tint the picture.
 Rgb onLocus(Rgb illuminant);
 
 // The colour of the light in the room, luminance 1: radiance divided by reflectance, over the surfaces seen,

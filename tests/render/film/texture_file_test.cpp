@@ -25,8 +25,8 @@ TEST(TextureFile, ReadsPortablePixmapsFromMemory) {
 }
 
 TEST(TextureFile, RefusesDamagedPixmaps) {
-  for (const char* text : {"P6", "P6 ", "P6\n2 1\n255\nabc", "P6\n2\n", "P6\n0 1\n255\n", "P6\n1 1\n65535\nabcdef", "P6\n-3 2\n255\n",
-                           "P6\n99999999999 2\n255\n", "P6 #"})
+  for (const char* text : {"P6", "P6 ", "P6\n2 1\n255\nabc", "P6\n2\n", "P6\n0 1\n255\n",
+                           "P6\n1 1\n65535\nabcdef", "P6\n-3 2\n255\n", "P6\n99999999999 2\n255\n", "P6 #"})
     EXPECT_THROW(decodeTexture(bytesOf(text), true), ParseError) << text;
 }
 
