@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 64;
 constexpr int kSamples = 8;
-constexpr float kClampOverWhite = 6;
+constexpr float kClampOverWhite = 12;
 
 }  // namespace
 
