@@ -273,6 +273,13 @@ std::vector<Span> tileSpans(int side) {
     spans.push_back(
         {std::max(cut(i) - kTileMargin, 0), std::min(cut(i + 1) + kTileMargin, side), cut(i), cut(i + 1)});
   }
+  // All of one size, since what is set up for one size (memory, the library's primitives) serves all.
+  int size = 0;
+  for (const Span& s : spans) size = std::max(size, roundedUp(s.to - s.from));
+  for (Span& s : spans) {
+    s.to = std::min(s.from + size, side);
+    if (s.to == side) s.from = roundedUp(side - size);
+  }
   return spans;
 }
 
