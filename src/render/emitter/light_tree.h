@@ -19,9 +19,8 @@ struct LightBounds {
   float cosSpread = 1.0f;  // -1: all around
   float intensity = 0.0f;  // the largest, cd; beyond the spread it falls as the cosine
   bool bothSides = false;  // shines along -axis as well
-
-  float importance(const Receiver& at) const;
 };
+
 LightBounds join(const LightBounds& a, const LightBounds& b);
 
 class LightTree {

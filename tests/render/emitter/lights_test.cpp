@@ -6,6 +6,7 @@
 #include "render/emitter/lamp.h"
 #include "render/sampling/warp.h"
 #include "render/scene_parts.h"
+#include "render/session/illuminance.h"
 
 namespace idap::render {
 namespace {
@@ -171,6 +172,43 @@ TEST(Daylight, SkyIsSampledWithTheDensityItClaims) {
         },
         [&](Vec3f d) { return daylight.pdfSky(at, d); }, 64, 96, 400000);
   }
+}
+
+// A dark hall whose floor the sun reaches through a gap in the roof.
+SceneMaker hallWithSun(bool portal) {
+  SceneMaker make;
+  make.add(parallelogram({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), lambert(grey(0.6f)));
+  make.add(parallelogram({-3, -3, 3}, {0, 6, 0}, {2.5f, 0, 0}), lambert(grey(0.6f)));
+  make.add(parallelogram({0.5f, -3, 3}, {0, 6, 0}, {2.5f, 0, 0}), lambert(grey(0.6f)));
+  make.scene().sun = {normalized(Vec3f{0.3f, 0.2f, 1}), grey(50000)};
+  if (portal) make.scene().portals.push_back({{-0.5f, -3, 3}, {1, 0, 0}, {0, 6, 0}});
+  return make;
+}
+
+TEST(SunPatches, AreSampledWithTheDensityTheyClaim) {
+  const auto scene = hallWithSun(true).compile();
+  const SunPatches& patches = scene->lights().sunPatches();
+  ASSERT_FALSE(patches.empty());
+  const SunPatchView view(patches, {{-1.5f, 0.5f, 2.9f}, {0, 0, -1}});
+  ASSERT_FALSE(view.empty());
+  expectMatchingDensity(
+      [&](float a, float b, float c) {
+        const Vec3f d = view.sample(a, {b, c});
+        EXPECT_GT(view.pdf(d), 0.0f);
+        EXPECT_LT(d.z, 0.0f) << "the sun lies on the floor";
+        return std::pair(d, true);
+      },
+      [&](Vec3f d) { return view.pdf(d); }, 96, 192);
+}
+
+TEST(SunPatches, SteeringFindsTheSameLight) {
+  const auto steered = hallWithSun(true).compile(), plain = hallWithSun(false).compile();
+  EXPECT_TRUE(plain->lights().sunPatches().empty());
+  const IlluminanceSettings settings{.samples = 1 << 15};
+  const float a = luminance(illuminance(*steered, {-1.5f, 0.5f, 2.99f}, {0, 0, -1}, settings));
+  const float b = luminance(illuminance(*plain, {-1.5f, 0.5f, 2.99f}, {0, 0, -1}, settings));
+  EXPECT_GT(b, 100.0f);
+  EXPECT_NEAR(a, b, 0.02f * b);
 }
 
 }  // namespace
