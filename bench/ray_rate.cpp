@@ -1,12 +1,16 @@
 // How much of its time the renderer spends outside Embree: renders a furnished room by path tracing on one
 // thread, then has bare Embree trace the very same rays (nearest hits and shadow rays, in the same order),
-// and prints both rates and their ratio. Usage: bench_ray_rate [samples a pixel]
+// and prints both rates and their ratio. Also the same by kind of ray for the renderer's own way of tracing
+// (the surface point with its normals and texture coordinates; what glass lets by) without any shading.
+// Usage: bench_ray_rate [samples a pixel]
 #include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
+#include <iterator>
 #include <vector>
 
 #include "render/accel/compiled_scene.h"
@@ -157,6 +161,35 @@ double replay(RTCScene scene, const std::vector<LoggedRay>& rays, std::uint64_t&
   return since(start);
 }
 
+// The same through the renderer's interface, up to the surface point or the light that gets by.
+double traceOnly(const CompiledScene& scene, const std::vector<LoggedRay>& rays, double& sum) {
+  const std::clock_t start = std::clock();
+  for (const LoggedRay& logged : rays) {
+    if (logged.shadow) {
+      sum += static_cast<double>(scene.transmittance(logged.ray).x);
+      continue;
+    }
+    Hit hit;
+    if (!scene.intersect(logged.ray, hit, logged.mask, logged.coherent)) continue;
+    sum += hit.isLamp() ? 1.0 : static_cast<double>(scene.interaction(logged.ray, hit).ns.x);
+  }
+  return since(start);
+}
+
+void measureKind(const char* name, const CompiledScene& compiled, const std::vector<LoggedRay>& log,
+                 const std::function<bool(const LoggedRay&)>& belongs) {
+  std::vector<LoggedRay> rays;
+  std::copy_if(log.begin(), log.end(), std::back_inserter(rays), belongs);
+  double own = 1e9, bare = 1e9, sum = 0;
+  std::uint64_t hits = 0;
+  for (int round = 0; round < 3; ++round) {
+    own = std::min(own, traceOnly(compiled, rays, sum));
+    bare = std::min(bare, replay(compiled.embreeScene(), rays, hits));
+  }
+  std::printf("  %-14s%.2f M rays: tracing without shading reaches %.1f %% of bare Embree\n", name,
+              static_cast<double>(rays.size()) / 1e6, 100 * bare / own);
+}
+
 void measure(const char* name, const std::shared_ptr<const Scene>& scene, const Camera& camera, int spp) {
   CompiledScene compiled(scene);
   const CompileStats& build = compiled.stats();
@@ -192,6 +225,9 @@ void measure(const char* name, const std::shared_ptr<const Scene>& scene, const 
   std::printf("  bare Embree   %.3f s  %.2f M rays/s\n", bare, count / bare / 1e6);
   std::printf("  path tracing  %.3f s  %.2f M rays/s\n", full, count / full / 1e6);
   std::printf("  ratio         %.1f %%\n", 100 * bare / full);
+  measureKind("primary", compiled, log, [](const LoggedRay& ray) { return !ray.shadow && ray.coherent; });
+  measureKind("bounce", compiled, log, [](const LoggedRay& ray) { return !ray.shadow && !ray.coherent; });
+  measureKind("shadow", compiled, log, [](const LoggedRay& ray) { return ray.shadow; });
 }
 
 }  // namespace
