@@ -17,7 +17,7 @@ namespace idap {
 namespace {
 
 constexpr double kGroundBelow = 0.015;  // m, of the land below the ground floor
-constexpr float kGroundGrey = 0.35f;    // share of grey that is mixed into the land's colour
+constexpr float kGroundGrey = 0.55f;    // share of grey that is mixed into the land's colour
 
 Box2 planBounds(const Home& home, const std::vector<WallSolid>& walls) {
   Box2 box;
