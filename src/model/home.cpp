@@ -1,5 +1,7 @@
 #include "model/home.h"
 
+#include "model/visibility.h"
+
 #include <algorithm>
 
 namespace idap {
@@ -29,19 +31,22 @@ double elevationOf(const Home& home, LevelId level) {
   return found ? found->elevation : 0;
 }
 
+bool groupsShown(const Home& home, GroupId group) {
+  // Bounded, so that groups in a circle cannot hang a home that was not validated.
+  for (std::size_t steps = 0; group && steps <= home.groups.size(); ++steps) {
+    const Group* found = home.groups.find(group);
+    if (!found) break;
+    if (!found->visible) return false;
+    group = found->parent;
+  }
+  return true;
+}
+
 bool isShown(const Home& home, const Piece& piece) {
   if (!piece.visible) return false;
   if (const Level* level = home.levels.find(piece.level); level && !(level->visible && level->viewable))
     return false;
-  GroupId above = piece.group;
-  // Bounded, so that groups in a circle cannot hang a home that was not validated.
-  for (std::size_t steps = 0; above && steps <= home.groups.size(); ++steps) {
-    const Group* group = home.groups.find(above);
-    if (!group) break;
-    if (!group->visible) return false;
-    above = group->parent;
-  }
-  return true;
+  return groupsShown(home, piece.group);
 }
 
 }  // namespace idap

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/visibility.h"
+
 namespace idap {
 
 namespace {
@@ -54,16 +56,7 @@ std::size_t storeyOf(const std::vector<Storey>& storeys, LevelId level) {
 }
 
 bool isShownOn(const Home& home, const std::vector<Storey>& storeys, const Piece& piece) {
-  if (!piece.visible || storeyOf(storeys, piece.level) == storeys.size()) return false;
-  GroupId above = piece.group;
-  // Bounded, so that groups in a circle cannot hang a home that was not validated.
-  for (std::size_t steps = 0; above && steps <= home.groups.size(); ++steps) {
-    const Group* group = home.groups.find(above);
-    if (!group) break;
-    if (!group->visible) return false;
-    above = group->parent;
-  }
-  return true;
+  return piece.visible && storeyOf(storeys, piece.level) < storeys.size() && groupsShown(home, piece.group);
 }
 
 std::vector<WallSolid> wallSolids(const Home& home, const std::vector<Storey>& storeys) {
