@@ -1,0 +1,14 @@
+#include "editor/tool.h"
+#include "editor/tools/tool_list.h"
+
+namespace idap {
+
+const std::vector<ToolEntry>& tools() {
+  static const std::vector<ToolEntry> all{
+      selectTool(),    wallTool(),  roomTool(),     doorTool(),   windowTool(),
+      dimensionTool(), labelTool(), polylineTool(), cameraTool(), eraserTool(),
+  };
+  return all;
+}
+
+}  // namespace idap

@@ -1,0 +1,19 @@
+// The entries of the tool registry, one a file of this folder.
+#pragma once
+
+#include "editor/tool.h"
+
+namespace idap {
+
+ToolEntry selectTool();
+ToolEntry wallTool();
+ToolEntry roomTool();
+ToolEntry doorTool();    // places the catalog's plainest door
+ToolEntry windowTool();  // and window
+ToolEntry dimensionTool();
+ToolEntry labelTool();
+ToolEntry polylineTool();
+ToolEntry cameraTool();
+ToolEntry eraserTool();
+
+}  // namespace idap
