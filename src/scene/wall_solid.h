@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene/wall_outline.h"
+#include "model/wall_outline.h"
 
 namespace idap {
 

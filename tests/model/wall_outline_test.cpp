@@ -1,8 +1,8 @@
-#include "scene/wall_outline.h"
+#include "model/wall_outline.h"
 
 #include <gtest/gtest.h>
 
-#include "scene_test_support.h"
+#include "support/wall_chain.h"
 
 namespace idap {
 namespace {

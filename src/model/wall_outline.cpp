@@ -1,4 +1,4 @@
-#include "scene/wall_outline.h"
+#include "model/wall_outline.h"
 
 #include <algorithm>
 #include <optional>
