@@ -1,6 +1,7 @@
 #include "model/document.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -75,10 +76,19 @@ void Document::redo() {
 
 bool Document::modified() const { return revision_ != savedRevision_; }
 
-void Document::markSaved(std::filesystem::path file) {
-  file_ = std::move(file);
-  savedRevision_ = revision_;
+Document::Snapshot Document::snapshot() const {
+  if (transaction_) return {transaction_->before, transaction_->revision};
+  return {current_, revision_};
 }
+
+void Document::markSaved(std::filesystem::path file) { markSaved(std::move(file), revision_); }
+
+void Document::markSaved(std::filesystem::path file, std::uint64_t revision) {
+  file_ = std::move(file);
+  savedRevision_ = revision;
+}
+
+void Document::markUnsaved() { savedRevision_ = std::numeric_limits<std::uint64_t>::max(); }
 
 int Document::subscribe(Listener listener) {
   listeners_.emplace_back(nextHandle_, std::move(listener));

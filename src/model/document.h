@@ -49,8 +49,17 @@ class Document {
   void undo();  // nothing happens when there is nothing to undo
   void redo();
 
+  // What is saved while work goes on: the home without what a transaction has half done, and its number.
+  struct Snapshot {
+    Home home;
+    std::uint64_t revision = 0;
+  };
+  Snapshot snapshot() const;
+
   bool modified() const;  // differs from what was last saved
   void markSaved(std::filesystem::path file);
+  void markSaved(std::filesystem::path file, std::uint64_t revision);  // of the snapshot that was written
+  void markUnsaved();  // what is open is in no file: restored after a crash
 
   // Called after every change of home(), with the home before. Returns a handle for unsubscribe.
   using Listener = std::function<void(const Home& before, const Home& after)>;
