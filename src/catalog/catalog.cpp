@@ -91,14 +91,36 @@ struct Catalog::Impl {
     std::vector<std::string> problems;
   };
 
+  using LibrariesPtr = std::shared_ptr<const Libraries>;
+
   std::vector<std::filesystem::path> folders;
-  std::once_flag opened;
-  Libraries libraries_;
+  std::mutex opening;           // held while files are read
+  mutable std::mutex swapping;  // of opened
+  LibrariesPtr opened;          // null: not read yet
   ModelCache models;
 
-  const Libraries& libraries() {
-    std::call_once(opened, [this] { open(libraries_); });
-    return libraries_;
+  LibrariesPtr known() const {
+    const std::lock_guard lock(swapping);
+    return opened;
+  }
+  LibrariesPtr libraries() {
+    if (LibrariesPtr now = known()) return now;
+    const std::lock_guard lock(opening);
+    if (LibrariesPtr now = known()) return now;
+    return read();
+  }
+  void reread() {
+    const std::lock_guard lock(opening);
+    read();
+  }
+
+ private:
+  LibrariesPtr read() {
+    auto fresh = std::make_shared<Libraries>();
+    open(*fresh);
+    const std::lock_guard lock(swapping);
+    opened = fresh;
+    return fresh;
   }
 
   void open(Libraries& into) const {
@@ -154,7 +176,8 @@ std::vector<Catalog::Category> Catalog::categories() const {
   std::vector<Category> all = parametric::builtinCatalog().categories;
   std::map<std::string, std::size_t> index;
   for (std::size_t i = 0; i < all.size(); ++i) index[all[i].id] = i;
-  for (const CatalogPiecePtr& piece : impl_->libraries().pieces) {
+  const auto libraries = impl_->libraries();
+  for (const CatalogPiecePtr& piece : libraries->pieces) {
     const auto [it, isNew] = index.emplace(piece->category, all.size());
     if (isNew) all.push_back({piece->category, piece->category, 0});
     ++all[it->second].pieces;
@@ -162,20 +185,28 @@ std::vector<Catalog::Category> Catalog::categories() const {
   return all;
 }
 
-std::vector<CatalogPiecePtr> Catalog::pieces() const {
+std::vector<CatalogPiecePtr> Catalog::builtinPieces() const {
   std::vector<CatalogPiecePtr> all;
   for (const auto& built : parametric::builtinCatalog().pieces) all.push_back(built.piece);
-  const auto& more = impl_->libraries().pieces;
-  all.insert(all.end(), more.begin(), more.end());
   return all;
 }
+
+std::vector<CatalogPiecePtr> Catalog::pieces() const {
+  std::vector<CatalogPiecePtr> all = builtinPieces();
+  const auto libraries = impl_->libraries();
+  all.insert(all.end(), libraries->pieces.begin(), libraries->pieces.end());
+  return all;
+}
+
+bool Catalog::librariesRead() const { return impl_->known() != nullptr; }
+void Catalog::reread() const { impl_->reread(); }
 
 CatalogPiecePtr Catalog::find(const std::string& id) const {
   if (const auto* built = parametric::builtinCatalog().find(id)) return built->piece;
   if (id.empty() || id.starts_with("idap/")) return nullptr;
-  const auto& byId = impl_->libraries().byId;
-  const auto it = byId.find(id);
-  return it == byId.end() ? nullptr : it->second.first;
+  const auto libraries = impl_->libraries();
+  const auto it = libraries->byId.find(id);
+  return it == libraries->byId.end() ? nullptr : it->second.first;
 }
 
 std::vector<CatalogPiecePtr> Catalog::search(std::string_view query) const {
@@ -192,7 +223,7 @@ std::vector<CatalogPiecePtr> Catalog::search(std::string_view query) const {
   return result;
 }
 
-std::vector<std::string> Catalog::problems() const { return impl_->libraries().problems; }
+std::vector<std::string> Catalog::problems() const { return impl_->libraries()->problems; }
 
 SurfaceModelPtr Catalog::model(const std::string& id, Vec3 size,
                                const std::map<std::string, double>& parameters) const {
@@ -202,9 +233,9 @@ SurfaceModelPtr Catalog::model(const std::string& id, Vec3 size,
     return impl_->models.put(key, std::make_shared<const SurfaceModel>(buildModel(*built, size, parameters)));
   }
   if (id.empty() || id.starts_with("idap/")) return nullptr;
-  const auto& byId = impl_->libraries().byId;
-  const auto it = byId.find(id);
-  return it == byId.end() ? nullptr : it->second.second->model(*it->second.first);
+  const auto libraries = impl_->libraries();
+  const auto it = libraries->byId.find(id);
+  return it == libraries->byId.end() ? nullptr : it->second.second->model(*it->second.first);
 }
 
 }  // namespace idap

@@ -72,7 +72,11 @@ class Catalog {
   };
   std::vector<Category> categories() const;
 
-  std::vector<CatalogPiecePtr> pieces() const;        // all, built-in first
+  std::vector<CatalogPiecePtr> pieces() const;         // all, built-in first
+  std::vector<CatalogPiecePtr> builtinPieces() const;  // opens no library
+  bool librariesRead() const;  // true: nothing here waits for the disk any more, models aside
+  // Looks into the folders again: libraries that came or went. Pieces and models handed out stay as they are.
+  void reread() const;
   CatalogPiecePtr find(const std::string& id) const;  // null when unknown; built-in ones open no library
   // Pieces whose name, translations, tags, category, creator or id hold every word of the query, best first.
   std::vector<CatalogPiecePtr> search(std::string_view query) const;

@@ -61,14 +61,22 @@ std::vector<std::string> searchWords(std::string_view query) {
   return words;
 }
 
-int searchScore(const CatalogPiece& piece, const std::vector<std::string>& words) {
-  std::vector<std::pair<int, std::string>> fields{{10, foldedText(piece.name)},
-                                                  {4, foldedText(piece.category)},
-                                                  {2, foldedText(piece.creator)},
-                                                  {2, foldedText(piece.id)}};
+SearchFields searchFields(const CatalogPiece& piece) {
+  SearchFields fields{{10, foldedText(piece.name)},
+                      {4, foldedText(piece.category)},
+                      {2, foldedText(piece.creator)},
+                      {2, foldedText(piece.id)}};
   for (const std::string& tag : piece.tags) fields.emplace_back(6, foldedText(tag));
   for (const auto& [language, texts] : piece.translations)
     for (const auto& [key, text] : texts) fields.emplace_back(key == "name" ? 9 : 4, foldedText(text));
+  return fields;
+}
+
+int searchScore(const CatalogPiece& piece, const std::vector<std::string>& words) {
+  return searchScore(searchFields(piece), words);
+}
+
+int searchScore(const SearchFields& fields, const std::vector<std::string>& words) {
   int total = 0;
   for (const std::string& word : words) {
     int best = 0;
