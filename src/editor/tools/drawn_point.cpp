@@ -1,0 +1,96 @@
+#include "editor/tools/drawn_point.h"
+
+#include <cmath>
+
+namespace idap {
+
+double fullTurn(double angle) {
+  const double turned = std::fmod(angle, 2 * kPi);
+  const double positive = turned < 0 ? turned + 2 * kPi : turned;
+  return positive > 2 * kPi - 1e-9 ? 0 : positive;
+}
+
+DrawnPoint::DrawnPoint(const std::vector<Field>& more) {
+  std::vector<Field> fields{{QT_TRANSLATE_NOOP("idap", "Length"), Field::Kind::Length},
+                            {QT_TRANSLATE_NOOP("idap", "Angle"), Field::Kind::Angle}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  fields_.define(std::move(fields));
+}
+
+void DrawnPoint::follow(const Editor& editor, const PointerEvent& event, const Line& line) {
+  SnapRequest request;
+  request.plane = event.plane;
+  request.at = event.at;
+  request.tolerance = kSnapPixels * event.pixel;
+  request.from = line.from;
+  request.along = line.along;
+  request.own = line.own;
+  request.ignored = line.ignored;
+  request.wallFaces = line.wallFaces;
+  snapped_ = snapPoint(editor, request, event.modifiers.alt);
+  from_ = line.from;
+  known_ = true;
+  showValues();
+}
+
+void DrawnPoint::startFrom(Vec2 from) {
+  from_ = from;
+  snapped_ = {};
+  snapped_.at = from;
+  fields_.clear();
+  fields_.activate(kLength);
+  showValues();
+}
+
+void DrawnPoint::forget() {
+  from_.reset();
+  snapped_.guides.clear();
+  fields_.clear();
+  fields_.activate(kLength);
+}
+
+Vec2 DrawnPoint::at() const {
+  if (!from_) return snapped_.at;
+  const std::optional<double> typedLength = fields_.value(kLength), typedAngle = fields_.value(kAngle);
+  if (!typedLength && !typedAngle) return snapped_.at;
+  const Vec2 by = snapped_.at - *from_;
+  const double angle = typedAngle.value_or(std::atan2(by.y, by.x));
+  const Vec2 direction{std::cos(angle), std::sin(angle)};
+  // Without a length the point stays beside the pointer.
+  return *from_ + direction * typedLength.value_or(typedAngle ? std::abs(dot(by, direction)) : length(by));
+}
+
+SnappedPoint::To DrawnPoint::snappedTo() const {
+  return fields_.value(kLength) || fields_.value(kAngle) ? SnappedPoint::To::Nothing : snapped_.to;
+}
+
+TypedFields::Answer DrawnPoint::key(const KeyEvent& event, LengthUnit unit) {
+  if (!from_) return TypedFields::Answer::Unused;
+  const TypedFields::Answer answer = fields_.key(event, unit);
+  if (answer != TypedFields::Answer::Unused) showValues();
+  return answer;
+}
+
+void DrawnPoint::showValues() {
+  if (!from_) return;
+  const Vec2 by = at() - *from_;
+  fields_.show(kLength, length(by));
+  fields_.show(kAngle, fields_.value(kAngle).value_or(fullTurn(std::atan2(by.y, by.x))));
+}
+
+void DrawnPoint::into(Overlay& overlay, double pixel) const {
+  if (!known_) return;
+  const Vec2 point = at();
+  if (snappedTo() != SnappedPoint::To::Nothing)
+    overlay.guides.insert(overlay.guides.end(), snapped_.guides.begin(), snapped_.guides.end());
+  overlay.handles.push_back({HandleKind::Point, point, 0, true});
+  if (!from_) return;
+  const Vec2 by = point - *from_;
+  if (length(by) > 2 * pixel) {
+    overlay.measures.push_back({*from_, point, fields_.active() == kLength});
+    overlay.angles.push_back({*from_, 0, fullTurn(std::atan2(by.y, by.x))});
+  }
+  fields_.into(overlay, point);
+}
+
+}  // namespace idap

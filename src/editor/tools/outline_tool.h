@@ -1,0 +1,44 @@
+// Drawing point by point on the plan, with typed lengths and angles: what rooms and polylines have in common.
+#pragma once
+
+#include <vector>
+
+#include "editor/tools/drawn_point.h"
+
+namespace idap {
+
+class OutlineTool : public Tool {
+ public:
+  Text hint() const override;
+  bool cancel(Editor& editor) override;
+  Response pointer(Editor& editor, const PointerEvent& event) override;
+  Response key(Editor& editor, const KeyEvent& event) override;
+  Overlay overlay(const Editor& editor, Plane plane, double pixel) const override;
+  Cursor cursor(const Editor& editor, Plane plane) const override;
+
+ protected:
+  struct Manner {
+    bool area = false;          // an area is drawn: it closes by itself, and snaps to the faces of walls
+    const char* next = "";      // the hint while drawing; marked for translation
+    const char* planOnly = "";  // the note in the other planes; marked for translation
+  };
+  explicit OutlineTool(Manner manner) : manner_(manner) {}
+
+  // Makes one undo step of the points: at least three when closed, at least two otherwise.
+  virtual void finish(Editor& editor, std::vector<Vec2> points, bool closed) = 0;
+  // A double click where nothing was begun.
+  virtual void fill(Editor&, Vec2) {}
+
+ private:
+  std::size_t fewest() const { return manner_.area ? 3 : 2; }
+  void follow(Editor& editor, const PointerEvent& event);
+  void place(Editor& editor);
+  void stop(Editor& editor);
+
+  Manner manner_;
+  DrawnPoint point_;
+  std::vector<Vec2> points_;
+  std::optional<Vec2> pressedAt_;
+};
+
+}  // namespace idap
