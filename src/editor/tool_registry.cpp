@@ -5,7 +5,7 @@ namespace idap {
 
 const std::vector<ToolEntry>& tools() {
   static const std::vector<ToolEntry> all{
-      selectTool(),    wallTool(),  roomTool(),     doorTool(),   windowTool(),
+      selectTool(),    wallTool(),  roomTool(),     doorTool(),   windowTool(), openingTool(),
       dimensionTool(), labelTool(), polylineTool(), cameraTool(), eraserTool(),
   };
   return all;

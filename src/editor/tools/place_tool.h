@@ -14,6 +14,9 @@ namespace idap {
 // Escape.
 std::unique_ptr<Tool> makePlaceTool(CatalogPiecePtr piece, bool once);
 
+// A passage with no door in it: what the "opening" tool of the registry does.
+std::unique_ptr<Tool> makeBareOpeningTool();
+
 // Puts a piece where it fits without a pointer (Enter in the catalog): a door or window into the longest free
 // stretch of wall, furniture into a free place of the room around near, along its walls first. Selects it.
 // False when it had to refuse (no wall for a door), with words to the user.

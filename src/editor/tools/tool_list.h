@@ -8,8 +8,9 @@ namespace idap {
 ToolEntry selectTool();
 ToolEntry wallTool();
 ToolEntry roomTool();
-ToolEntry doorTool();    // places the catalog's plainest door
-ToolEntry windowTool();  // and window
+ToolEntry doorTool();     // places the catalog's plainest door
+ToolEntry windowTool();   // and window
+ToolEntry openingTool();  // a passage with nothing in it
 ToolEntry dimensionTool();
 ToolEntry labelTool();
 ToolEntry polylineTool();
