@@ -202,6 +202,10 @@ void ColorButton::openPalette() {
 }
 
 void ColorButton::openDialog() {
+  if (dialogElsewhere_) {
+    emit dialogRequested();
+    return;
+  }
   auto* dialog = new QColorDialog(color_ ? toQt(*color_) : QColor(Qt::white), window());
   dialog->setOption(QColorDialog::DontUseNativeDialog);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

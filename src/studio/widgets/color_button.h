@@ -4,6 +4,7 @@
 
 #include <QToolButton>
 #include <optional>
+#include <vector>
 
 #include "model/finish.h"
 
@@ -20,6 +21,8 @@ class ColorButton : public QToolButton {
   bool mixed() const { return mixed_; }
   // Whether "no colour of its own" can be chosen, and how that is called.
   void setOptional(bool optional, const QString& words = {});
+  // In a popup, which would close over the dialog for any colour: dialogRequested() asks the owner for it.
+  void setDialogElsewhere(bool elsewhere) { dialogElsewhere_ = elsewhere; }
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -29,6 +32,7 @@ class ColorButton : public QToolButton {
   void colorChanging(idap::Color color);                // while it is looked for; colorChanged() or
                                                         // colorAbandoned() follows
   void colorAbandoned();
+  void dialogRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -40,7 +44,7 @@ class ColorButton : public QToolButton {
   void choose(std::optional<Color> color);
 
   std::optional<Color> color_;
-  bool mixed_ = false, optional_ = false;
+  bool mixed_ = false, optional_ = false, dialogElsewhere_ = false;
   QString noneWords_;
 };
 
