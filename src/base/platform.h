@@ -15,6 +15,9 @@ bool standardErrorIsTerminal();
 std::size_t availableMemoryBytes();  // that can be had without swapping; the largest number where unknown
 double peakMemoryMegabytes();        // largest resident size of this process so far, MB (1e6 bytes)
 
+// The calling thread gives way to others from now on: work in the background of a window.
+void lowerThreadPriority();
+
 // While it lives, the first Ctrl-C (SIGINT) or SIGTERM cancels the progress instead of ending the program; a
 // second one ends it. At most one may live at a time.
 class CancelOnInterrupt {
