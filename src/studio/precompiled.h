@@ -20,3 +20,6 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+// Qt's word for Q_SLOTS; models and catalog pieces have material slots.
+#undef slots

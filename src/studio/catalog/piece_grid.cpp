@@ -82,10 +82,10 @@ void PieceGrid::layOut() {
 void PieceGrid::startDrag(Qt::DropActions) {
   const CatalogPiecePtr piece = currentPiece();
   if (!piece) return;
-  auto* data = new QMimeData;
-  data->setData(QString::fromLatin1(kPieceMime), QByteArray::fromStdString(piece->id));
+  auto* mime = new QMimeData;
+  mime->setData(QString::fromLatin1(kPieceMime), QByteArray::fromStdString(piece->id));
   auto* drag = new QDrag(this);
-  drag->setMimeData(data);
+  drag->setMimeData(mime);
   if (QPixmap picture = thumbnails_.thumbnail(piece); !picture.isNull()) {
     const qreal scale = devicePixelRatioF();
     picture = picture.scaledToWidth(qRound(72 * scale), Qt::SmoothTransformation);

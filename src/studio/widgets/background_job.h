@@ -30,7 +30,7 @@ class BackgroundJob : public QObject {
   void setCancellable(bool cancellable);
   std::optional<double> secondsLeft() const;  // by the pace so far; nothing while that cannot be told
 
- public slots:
+ public Q_SLOTS:
   void cancel();
 
  signals:
