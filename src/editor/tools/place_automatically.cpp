@@ -1,19 +1,229 @@
-#include "editor/editor.h"
+// Puts a piece of the catalog where people would: looks at every place that its manner suggests, drops those
+// that are taken, and takes the best.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/tools/arrange/opening_spot.h"
+#include "editor/tools/arrange/spots.h"
+#include "editor/tools/place_furniture_tool.h"
 #include "editor/tools/place_tool.h"
 #include "model/edits/piece_edits.h"
+#include "model/room_geometry.h"
 
 namespace idap {
 
+namespace {
+
+constexpr double kPerMetre = 0.3;  // merit lost a metre away from where the user is at work
+constexpr double kBeforeIt = 0.6;  // m in front of a piece that one needs to use it
+constexpr double kNoAccess = 1.2;  // merit lost where that is taken,
+constexpr double kOnWay = 4;       // where it stands in a door's way,
+constexpr double kOnWindow = 2;    // or covers a window
+
+struct Search {
+  const RoomSpace& room;
+  const Furniture& piece;
+  Manner manner;
+  std::optional<Vec2> near;
+  FurnitureId chosen;  // the selected piece: things go onto it, beside it
+  bool doorsMatter;
+};
+
+// How good a place is with all that is in the room; none where it cannot be.
+std::optional<double> judged(const Search& search, const Spot& spot) {
+  const RoomSpace& room = search.room;
+  const Furniture& piece = search.piece;
+  const Corners corners = rectangle(spot.middle, {piece.size.x, piece.size.y}, spot.angle);
+  const double low = spot.z, high = spot.z + piece.size.z;
+  const bool on = search.manner == Manner::OnTop && spot.on;
+  if (on) {
+    if (!contains(room.area, spot.middle)) return std::nullopt;
+  } else if (!room.holds(corners)) {
+    return std::nullopt;
+  }
+  if (search.manner != Manner::Floor && !room.free(corners, low, high, spot.on)) return std::nullopt;
+  double merit = spot.merit;
+  if (!on && search.manner != Manner::Floor && search.manner != Manner::AtWindow) {
+    if (room.blocksWay(corners, low, high)) {
+      if (search.doorsMatter) return std::nullopt;
+      merit -= kOnWay;
+    }
+    if (room.coversWindow(corners, low, high)) merit -= kOnWindow;
+    if (search.manner == Manner::OnWall && room.coversWindow(corners, low, high)) return std::nullopt;
+  }
+  const bool used = search.manner == Manner::Bed || search.manner == Manner::Sofa ||
+                    search.manner == Manner::Screen || search.manner == Manner::Desk ||
+                    search.manner == Manner::Storage;
+  if (used) {
+    const Vec2 front = rotated(Vec2{0, -1}, spot.angle);
+    const Vec2 middle = spot.middle + front * ((piece.size.y + kBeforeIt) / 2);
+    const Corners before = rectangle(middle, {piece.size.x * 0.9, kBeforeIt}, spot.angle);
+    if (!room.holds(before) || !room.free(before, 0.1, 1.5)) merit -= kNoAccess;
+    // Nor may it stand where another one is to be used from.
+    for (const RoomSpace::Standing& other : room.furniture) {
+      const Manner its = mannerOf(*other.piece);
+      if (its != Manner::Storage && its != Manner::Desk && its != Manner::Screen) continue;
+      const Vec2 out = rotated(Vec2{0, -1}, other.piece->angle);
+      const Vec2 at = Vec2{other.piece->position.x, other.piece->position.y} +
+                      out * ((other.piece->size.y + kBeforeIt) / 2);
+      if (overlaps(corners, rectangle(at, {other.piece->size.x * 0.9, kBeforeIt}, other.piece->angle)))
+        merit -= kNoAccess;
+    }
+  }
+  if (search.manner == Manner::Screen || search.manner == Manner::Sofa) {
+    // A sofa and what is watched from it look at each other.
+    const Manner partner = search.manner == Manner::Screen ? Manner::Sofa : Manner::Screen;
+    const Vec2 front = rotated(Vec2{0, -1}, spot.angle);
+    for (const RoomSpace::Standing& other : room.furniture) {
+      if (mannerOf(*other.piece) != partner || other.piece->size.x < 1) continue;
+      const Vec2 by = Vec2{other.piece->position.x, other.piece->position.y} - spot.middle;
+      const Vec2 its = rotated(Vec2{0, -1}, other.piece->angle);
+      if (dot(front, its) < -0.9 && dot(by, front) > 1) merit += 1.5 - 0.5 * std::abs(cross(front, by));
+    }
+  }
+  if (search.manner == Manner::Table) {
+    // Chairs and people around it.
+    for (const double margin : {0.35, 0.8}) {
+      const Corners around =
+          rectangle(spot.middle, {piece.size.x + 2 * margin, piece.size.y + 2 * margin}, spot.angle);
+      if (!room.holds(around) || !room.free(around, 0.1, 1.5)) merit -= 0.7;
+    }
+  }
+  if (search.near) merit -= kPerMetre * length(spot.middle - *search.near);
+  if (search.chosen && spot.on == search.chosen) merit += 3;
+  return merit;
+}
+
+std::optional<Spot> best(const Search& search, const std::vector<Spot>& spots) {
+  std::optional<Spot> found;
+  double most = 0;
+  for (const Spot& spot : spots)
+    if (const auto merit = judged(search, spot); merit && (!found || *merit > most + 1e-9)) {
+      found = spot;
+      most = *merit;
+    }
+  return found;
+}
+
+// Lamps at the ceiling: the middle, or between those that hang there.
+std::vector<Spot> spotsAtCeiling(const RoomSpace& room, const Furniture& piece) {
+  std::vector<Spot> spots = spotsAllOver(room, piece);
+  for (Spot& spot : spots) {
+    spot.merit *= 0.5;
+    for (const RoomSpace::Standing& other : room.furniture)
+      if (other.piece->lamp && other.piece->position.z > 1.5)
+        spot.merit -=
+            std::max(0.0, 1.5 - length(Vec2{other.piece->position.x, other.piece->position.y} - spot.middle));
+  }
+  return spots;
+}
+
+std::optional<Spot> find(Search search, const CatalogPiece& catalog) {
+  const RoomSpace& room = search.room;
+  const Furniture& piece = search.piece;
+  const auto more = [](std::vector<Spot> a, const std::vector<Spot>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  std::vector<Spot> first;
+  switch (search.manner) {
+    case Manner::Ceiling:
+      first = spotsAtCeiling(room, piece);
+      break;
+    case Manner::Floor:
+    case Manner::Table:
+      first = spotsAllOver(room, piece);
+      break;
+    case Manner::Corner:
+      first = spotsInCorners(room, piece);
+      break;
+    case Manner::AtWindow:
+    case Manner::OnTop:
+    case Manner::BesideBed:
+    case Manner::LowTable:
+    case Manner::Seat:
+      first = spotsByOthers(room, piece, catalog, search.manner);
+      break;
+    default:
+      first = spotsAlongWalls(room, piece, search.manner);
+  }
+  if (const auto spot = best(search, first)) return spot;
+  // Not as it should be, then: along a wall, anywhere, at last before a door.
+  Search second = search;
+  if (search.manner == Manner::Seat || search.manner == Manner::OnTop || search.manner == Manner::BesideBed ||
+      search.manner == Manner::LowTable)
+    second.manner = Manner::Storage;
+  for (const bool doors : {true, false}) {
+    second.doorsMatter = doors;
+    if (const auto spot =
+            best(second, more(spotsAlongWalls(room, piece, second.manner), spotsInCorners(room, piece))))
+      return spot;
+    if (search.manner == Manner::OnWall) continue;
+    if (const auto spot = best(second, spotsAllOver(room, piece))) return spot;
+  }
+  return std::nullopt;
+}
+
+bool placeOpening(Editor& editor, const CatalogPiece& piece, std::optional<Vec2> near) {
+  const std::optional<Opening> opening = openingSpot(editor, readyOpening(editor, piece, {}), piece, near);
+  if (!opening) {
+    editor.say(editor.home().walls.empty()
+                   ? Text(QT_TRANSLATE_NOOP("idap", "Doors and windows stand in walls: draw walls first"))
+                   : Text(QT_TRANSLATE_NOOP("idap", "No wall has room left for it")),
+               Editor::Severity::Warning);
+    return false;
+  }
+  OpeningId id;
+  const char* name = piece.kind == PieceKind::Door ? QT_TRANSLATE_NOOP("idap", "Add door")
+                                                   : QT_TRANSLATE_NOOP("idap", "Add window");
+  if (!editor.apply(name, [&](const Home& home) {
+        OpeningEdit edit = addOpening(home, *opening);
+        id = edit.opening;
+        return std::move(edit.home);
+      }))
+    return false;
+  editor.select(only(id));
+  return true;
+}
+
+}  // namespace
+
 bool placeAutomatically(Editor& editor, const CatalogPiece& piece, std::optional<Vec2> near) {
-  const Furniture ready = readyFurniture(editor, piece, near.value_or(Vec2{}));
+  if (editor.document().inTransaction()) editor.tool().cancel(editor);
+  if (!near) {
+    // Where the user is at work: the piece or the room that is selected.
+    const Box3 box = bounds(editor.home(), editor.selection());
+    if (!box.empty()) near = Vec2{box.centre().x, box.centre().y};
+  }
+  if (piece.kind == PieceKind::Door || piece.kind == PieceKind::Window)
+    return placeOpening(editor, piece, near);
+
+  Furniture ready = readyFurniture(editor, piece, {});
+  const RoomSpace room = roomSpace(editor.home(), editor.level(), near);
+  FurnitureId chosen;
+  if (const auto one = single(editor.selection()); one && std::holds_alternative<FurnitureId>(*one))
+    chosen = std::get<FurnitureId>(*one);
+  const std::optional<Spot> spot = find({room, ready, mannerOf(piece), near, chosen, true}, piece);
+  if (spot) {
+    ready.position = {spot->middle.x, spot->middle.y, spot->z};
+    ready.angle = std::abs(spot->angle) < 1e-12 ? 0 : spot->angle;
+  } else {
+    Room shape;
+    shape.points = room.area;
+    const Vec2 middle = near && contains(room.area, *near) ? *near : roomCentre(shape);
+    ready.position = {middle.x, middle.y, ready.position.z};
+    editor.say(QT_TRANSLATE_NOOP("idap", "There is no free place left in this room: move the piece yourself"),
+               Editor::Severity::Note);
+  }
   FurnitureId id;
-  const bool done = editor.apply(QT_TRANSLATE_NOOP("idap", "Add furniture"), [&](const Home& home) {
-    FurnitureEdit edit = addFurniture(home, ready);
-    id = edit.furniture;
-    return std::move(edit.home);
-  });
-  if (done) editor.select(only(id));
-  return done;
+  if (!editor.apply(addingName(piece), [&](const Home& home) {
+        FurnitureEdit edit = addFurniture(home, ready);
+        id = edit.furniture;
+        return std::move(edit.home);
+      }))
+    return false;
+  editor.select(only(id));
+  return true;
 }
 
 }  // namespace idap

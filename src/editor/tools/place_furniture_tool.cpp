@@ -29,17 +29,6 @@ const ToolInfo kInfo{"place",
                       {"Alt", QT_TRANSLATE_NOOP("idap", "no snapping")},
                       {"Esc", QT_TRANSLATE_NOOP("idap", "stop")}}};
 
-const char* editName(const CatalogPiece& piece) {
-  switch (piece.kind) {
-    case PieceKind::Lamp:
-      return QT_TRANSLATE_NOOP("idap", "Add lamp");
-    case PieceKind::Staircase:
-      return QT_TRANSLATE_NOOP("idap", "Add stairs");
-    default:
-      return QT_TRANSLATE_NOOP("idap", "Add furniture");
-  }
-}
-
 class PlaceFurnitureTool : public Tool {
  public:
   PlaceFurnitureTool(CatalogPiecePtr piece, bool once) : catalogPiece_(std::move(piece)), once_(once) {}
@@ -166,7 +155,7 @@ class PlaceFurnitureTool : public Tool {
     Furniture shown = piece_;
     const Vec3 by = inWorld(plane_, sides_.shift());
     shown.position += by;
-    if (!editor.document().inTransaction()) editor.document().begin(editName(*catalogPiece_));
+    if (!editor.document().inTransaction()) editor.document().begin(addingName(*catalogPiece_));
     editor.preview([&](const Home& home) {
       FurnitureEdit edit = addFurniture(home, shown);
       preview_ = edit.furniture;
@@ -208,6 +197,17 @@ class PlaceFurnitureTool : public Tool {
 };
 
 }  // namespace
+
+const char* addingName(const CatalogPiece& piece) {
+  switch (piece.kind) {
+    case PieceKind::Lamp:
+      return QT_TRANSLATE_NOOP("idap", "Add lamp");
+    case PieceKind::Staircase:
+      return QT_TRANSLATE_NOOP("idap", "Add stairs");
+    default:
+      return QT_TRANSLATE_NOOP("idap", "Add furniture");
+  }
+}
 
 std::unique_ptr<Tool> makePlaceFurnitureTool(CatalogPiecePtr piece, bool once) {
   return std::make_unique<PlaceFurnitureTool>(std::move(piece), once);

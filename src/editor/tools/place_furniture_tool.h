@@ -10,4 +10,7 @@ namespace idap {
 
 std::unique_ptr<Tool> makePlaceFurnitureTool(CatalogPiecePtr piece, bool once);
 
+// What the undo menu calls putting it there.
+const char* addingName(const CatalogPiece& piece);
+
 }  // namespace idap

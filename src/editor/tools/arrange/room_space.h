@@ -1,0 +1,52 @@
+// A room as somebody sees it who carries a piece in: its walls, what stands in it, where doors swing.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "editor/editor.h"
+
+namespace idap {
+
+using Corners = std::array<Vec2, 4>;  // of a rectangle at any angle, counter-clockwise
+
+// They share more than a centimetre of each other.
+bool overlaps(const Corners& a, const Corners& b);
+// A rectangle from its middle, size and angle.
+Corners rectangle(Vec2 middle, Vec2 size, double angle);
+
+struct RoomSpace {
+  LevelId level;
+  Polygon area;        // counter-clockwise, by the inner faces of its walls
+  bool closed = true;  // false: there is no room here, and its edges are no walls
+
+  struct Standing {
+    FurnitureId id;
+    const Furniture* piece;
+    Corners corners;
+  };
+  std::vector<Standing> furniture;  // of the level, shown
+  struct Hole {
+    OpeningId id;
+    const Opening* opening;
+    bool way;       // people walk through
+    Corners swing;  // what a leaf sweeps, or what one needs to pass or to open a window
+  };
+  std::vector<Hole> openings;
+  std::vector<Corners> walls;  // straight ones, for what stands in the way inside the room
+
+  // The rectangle lies inside the room.
+  bool holds(const Corners& corners) const;
+  // Nothing of the height range low..high, m above the level, is in the way; the given piece does not count.
+  bool free(const Corners& corners, double low, double high, FurnitureId except = {}) const;
+  // A door opens here, for what reaches down into its height; and likewise windows, for what covers them.
+  bool blocksWay(const Corners& corners, double low, double high) const;
+  bool coversWindow(const Corners& corners, double low, double high) const;
+};
+
+// The room around a point, or the largest of the level; one of 8 m about the point where there is none. Lives
+// as long as the home.
+RoomSpace roomSpace(const Home& home, LevelId level, std::optional<Vec2> near);
+
+}  // namespace idap
