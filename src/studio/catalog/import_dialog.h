@@ -12,12 +12,11 @@ namespace idap {
 class ImportDialog : public QDialog {
   Q_OBJECT
  public:
-  // file: already chosen (dropped on the window); empty: the user is asked. Shown without blocking by show()
-  // or open().
-  explicit ImportDialog(Editor& editor, std::filesystem::path file = {}, QWidget* parent = nullptr);
+  // Asks for a file at first. Shown without blocking, by show() or open().
+  explicit ImportDialog(Editor& editor, QWidget* parent = nullptr);
   ~ImportDialog() override;
 
-  void chooseFile(const std::filesystem::path& file);
+  void chooseFile(const std::filesystem::path& file);  // one that is known already (dropped on the window)
 
  signals:
   void libraryImported();  // the catalog has it already; its panel should reload()
