@@ -5,121 +5,11 @@
 #include <set>
 
 #include "base/error.h"
-#include "model/edits/wall_edits.h"
+#include "model/edits/table_edits.h"
+#include "model/edits/wall_move.h"
 #include "model/room_geometry.h"
 
 namespace idap {
-
-namespace {
-
-template <class IdType>
-std::set<IdType> setOf(const std::vector<IdType>& ids) {
-  return {ids.begin(), ids.end()};
-}
-template <class IdType>
-std::vector<IdType> listOf(const std::set<IdType>& ids) {
-  return {ids.begin(), ids.end()};
-}
-
-// Changes the elements of these ids that exist.
-template <class IdType, class T, class F>
-void changeEach(Table<IdType, T>& table, const std::vector<IdType>& ids, F change) {
-  for (const IdType id : ids)
-    if (const T* found = table.find(id)) {
-      T copy = *found;
-      change(copy);
-      table.set(id, std::move(copy));
-    }
-}
-template <class IdType, class T>
-void eraseEach(Table<IdType, T>& table, const std::vector<IdType>& ids) {
-  for (const IdType id : ids) table.erase(id);
-}
-
-// A rigid motion of the plan.
-struct Motion {
-  double angle = 0;
-  Vec2 about, by;
-  double rise = 0;
-
-  Vec2 operator()(Vec2 p) const { return (angle == 0 ? p : about + rotated(p - about, angle)) + by; }
-  Vec3 operator()(Vec3 p) const {
-    const Vec2 q = (*this)(Vec2{p.x, p.y});
-    return {q.x, q.y, p.z + rise};
-  }
-  Vec2 vector(Vec2 v) const { return angle == 0 ? v : rotated(v, angle); }
-};
-
-void moveWalls(Home& next, const std::vector<WallId>& walls, const Motion& motion) {
-  const std::set<WallId> selected = setOf(walls);
-  const Home before = next;
-  for (const WallId id : selected) {
-    const Wall* wall = before.walls.find(id);
-    if (!wall) continue;
-    Wall moved = *wall;
-    moved.start = motion(wall->start);
-    moved.end = motion(wall->end);
-    next = replaceWall(next, id, moved);
-  }
-  // Then the ends of walls that stay but are joined to one that went.
-  for (const WallId id : selected) {
-    const Wall* wall = before.walls.find(id);
-    if (!wall) continue;
-    for (const bool atEnd : {false, true}) {
-      const WallId joined = atEnd ? wall->neighbourAtEnd : wall->neighbourAtStart;
-      const Wall* other = before.walls.find(joined);
-      if (!other || selected.contains(joined)) continue;
-      const Vec2 corner = atEnd ? wall->end : wall->start;
-      const bool itsStart = length(other->start - corner) <= length(other->end - corner);
-      if (length((itsStart ? other->start : other->end) - corner) >
-          std::max(wall->thickness, other->thickness))
-        continue;
-      Wall followed = *next.walls.find(joined);
-      (itsStart ? followed.start : followed.end) = motion(corner);
-      next = replaceWall(next, joined, followed, itsStart ? WallEnd::End : WallEnd::Start);
-    }
-  }
-}
-
-Home moveBy(const Home& home, const Elements& chosen, const Motion& motion) {
-  const Elements all = withGroups(home, chosen);
-  Home next = home;
-  moveWalls(next, all.walls, motion);
-  const std::set<WallId> walls = setOf(all.walls);
-  const auto movePiece = [&](Piece& piece) {
-    piece.position = motion(piece.position);
-    piece.angle += motion.angle;
-  };
-  changeEach(next.openings, all.openings, [&](Opening& opening) {
-    // One in a wall that moves has moved with it already.
-    if (opening.wall && walls.contains(opening.wall))
-      opening.position.z += motion.rise;
-    else
-      movePiece(opening);
-  });
-  changeEach(next.furniture, all.furniture, movePiece);
-  changeEach(next.rooms, all.rooms, [&](Room& room) {
-    for (Vec2& p : room.points) p = motion(p);
-  });
-  changeEach(next.cameras, all.cameras, [&](Camera& camera) {
-    camera.eye = motion(camera.eye);
-    camera.yaw += motion.angle;
-  });
-  changeEach(next.dimensions, all.dimensions, [&](Dimension& dimension) {
-    dimension.start = motion(dimension.start);
-    dimension.end = motion(dimension.end);
-  });
-  changeEach(next.labels, all.labels, [&](Label& label) {
-    label.position = motion(label.position);
-    label.angle += motion.angle;
-  });
-  changeEach(next.polylines, all.polylines, [&](Polyline& line) {
-    for (Vec2& p : line.points) p = motion(p);
-  });
-  return next;
-}
-
-}  // namespace
 
 Elements withGroups(const Home& home, const Elements& elements) {
   std::set<GroupId> groups = setOf(elements.groups);
@@ -146,6 +36,44 @@ Elements withGroups(const Home& home, const Elements& elements) {
   all.dimensions = listOf(setOf(elements.dimensions));
   all.labels = listOf(setOf(elements.labels));
   all.polylines = listOf(setOf(elements.polylines));
+  return all;
+}
+
+Elements unlocked(const Home& home, const Elements& elements) {
+  Elements free = elements;
+  const auto locked = [](const auto& table, auto id) {
+    const auto* piece = table.find(id);
+    return piece && piece->locked;
+  };
+  std::erase_if(free.openings, [&](OpeningId id) { return locked(home.openings, id); });
+  std::erase_if(free.furniture, [&](FurnitureId id) { return locked(home.furniture, id); });
+  std::erase_if(free.groups, [&](GroupId id) {
+    Elements group;
+    group.groups = {id};
+    const Elements members = withGroups(home, group);
+    return std::any_of(members.openings.begin(), members.openings.end(),
+                       [&](OpeningId member) { return locked(home.openings, member); }) ||
+           std::any_of(members.furniture.begin(), members.furniture.end(),
+                       [&](FurnitureId member) { return locked(home.furniture, member); });
+  });
+  return free;
+}
+
+Elements allElements(const Home& home) {
+  Elements all;
+  const auto gather = [](const auto& table, auto& ids) {
+    ids.reserve(table.size());
+    for (const auto& [id, element] : table) ids.push_back(id);
+  };
+  gather(home.walls, all.walls);
+  gather(home.rooms, all.rooms);
+  gather(home.openings, all.openings);
+  gather(home.furniture, all.furniture);
+  gather(home.groups, all.groups);
+  gather(home.cameras, all.cameras);
+  gather(home.dimensions, all.dimensions);
+  gather(home.labels, all.labels);
+  gather(home.polylines, all.polylines);
   return all;
 }
 
@@ -190,11 +118,11 @@ Home deleteElements(const Home& home, const Elements& elements) {
 }
 
 Home moveElements(const Home& home, const Elements& elements, Vec3 by) {
-  return moveBy(home, elements, Motion{0, {}, {by.x, by.y}, by.z});
+  return moved(home, withGroups(home, elements), Motion{.by = {by.x, by.y}, .rise = by.z});
 }
 
 Home turnElements(const Home& home, const Elements& elements, Vec2 about, double angle) {
-  return moveBy(home, elements, Motion{angle, about, {}, 0});
+  return moved(home, withGroups(home, elements), Motion{.angle = angle, .about = about});
 }
 
 Home resizeFurniture(const Home& home, FurnitureId id, Vec3 size) {

@@ -24,6 +24,12 @@ struct Elements {
 // Without duplicates, and with the pieces, openings and groups of its groups, at any depth.
 Elements withGroups(const Home& home, const Elements& elements);
 
+// Without locked pieces and without groups that hold one: what may be moved, changed or deleted.
+Elements unlocked(const Home& home, const Elements& elements);
+
+// All there is in the home, on every level, hidden or not.
+Elements allElements(const Home& home);
+
 // What stood in a deleted wall goes with it; groups left empty go too; references to what is gone are
 // cleared.
 Home deleteElements(const Home& home, const Elements& elements);

@@ -29,7 +29,7 @@ Home reorderLevel(const Home& home, LevelId level, bool up);
 
 Home setLevel(const Home& home, LevelId id, const Level& level);
 
-// The level whose storey lies under or over this one; LevelId{} for none.
+// The highest viewable level that lies lower than this one; LevelId{} for none.
 LevelId levelBelow(const Home& home, LevelId level);
 
 // The height of a storey's rooms: the level's, or the home's walls' without levels.

@@ -3,44 +3,44 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "model/edits/wall_ends.h"
+#include "model/edits/wall_move.h"
 #include "model/wall_path.h"
 
 namespace idap {
 
 namespace {
 
-constexpr double kSamePlace = 1e-3;  // m
-
 const Wall& existing(const Home& home, WallId id) {
   if (const Wall* wall = home.walls.find(id)) return *wall;
   throw InvalidHome("wall " + std::to_string(id.value) + " does not exist");
 }
 
-Vec2 endPoint(const Wall& wall, WallEnd end) { return end == WallEnd::Start ? wall.start : wall.end; }
-Vec2& endPoint(Wall& wall, WallEnd end) { return end == WallEnd::Start ? wall.start : wall.end; }
-WallId& neighbour(Wall& wall, WallEnd end) {
-  return end == WallEnd::Start ? wall.neighbourAtStart : wall.neighbourAtEnd;
-}
 double angleOf(Vec2 direction) { return std::atan2(direction.y, direction.x); }
 
 Opening moved(const Opening& opening, const WallPath& from, const WallPath& to, WallEnd anchor) {
+  const double distance = from.nearest({opening.position.x, opening.position.y});
+  return carried(opening, from, to,
+                 anchor == WallEnd::Start ? distance : to.length() - (from.length() - distance));
+}
+
+}  // namespace
+
+Opening carried(const Opening& opening, const WallPath& from, const WallPath& to, double distance) {
   const Vec2 at{opening.position.x, opening.position.y};
-  const double distance = from.nearest(at);
-  const Vec2 before = from.direction(distance);
-  const double offset = dot(at - from.point(distance), perpendicular(before));
-  double next = anchor == WallEnd::Start ? distance : to.length() - (from.length() - distance);
+  const double was = from.nearest(at);
+  const Vec2 before = from.direction(was);
+  const double offset = dot(at - from.point(was), perpendicular(before));
   const double half = std::min(opening.size.x / 2, to.length() / 2);
-  next = std::clamp(next, half, to.length() - half);
-  const Vec2 after = to.direction(next);
-  const Vec2 place = to.point(next) + perpendicular(after) * offset;
+  distance = std::clamp(distance, half, to.length() - half);
+  const Vec2 after = to.direction(distance);
+  const Vec2 place = to.point(distance) + perpendicular(after) * offset;
   Opening result = opening;
   result.position = {place.x, place.y, opening.position.z};
   const double turn = angleOf(after) - angleOf(before);
   if (turn != 0) result.angle = std::remainder(opening.angle + turn, 2 * kPi);
   return result;
 }
-
-}  // namespace
 
 Home replaceWall(const Home& home, WallId id, const Wall& wall, WallEnd anchor) {
   const WallPath from(existing(home, id)), to(wall);
@@ -73,21 +73,9 @@ WallEdit addWall(const Home& home, Wall wall) {
 }
 
 Home moveWallEnd(const Home& home, WallId id, WallEnd end, Vec2 to) {
-  Wall wall = existing(home, id);
-  const Vec2 from = endPoint(wall, end);
-  endPoint(wall, end) = to;
-  const WallEnd fixed = end == WallEnd::Start ? WallEnd::End : WallEnd::Start;
-  Home next = replaceWall(home, id, wall, fixed);
-  const WallId joined = neighbour(wall, end);
-  const Wall* other = home.walls.find(joined);
-  if (!other || joined == id) return next;
-  // The neighbour's end that met this one.
-  const WallEnd its =
-      length(other->start - from) <= length(other->end - from) ? WallEnd::Start : WallEnd::End;
-  if (length(endPoint(*other, its) - from) > std::max(wall.thickness, other->thickness)) return next;
-  Wall followed = *other;
-  endPoint(followed, its) = to;
-  return replaceWall(next, joined, followed, its == WallEnd::Start ? WallEnd::End : WallEnd::Start);
+  WallMove move(home);
+  move.set(id, end, to);
+  return move.applied();
 }
 
 WallEdit splitWall(const Home& home, WallId id, double distance) {

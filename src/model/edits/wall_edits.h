@@ -16,7 +16,8 @@ struct WallEdit {
 // Adds a wall and joins it to walls of its level with a free end at the same place (within 1 mm).
 WallEdit addWall(const Home& home, Wall wall);
 
-// Walls joined there move their ends along.
+// All walls with an end there move it along; walls that end on one that moves stay on it, along their own
+// line where they can.
 Home moveWallEnd(const Home& home, WallId id, WallEnd end, Vec2 to);
 
 // Cuts a wall in two at a distance from its start, which must leave both over a millimetre. The first part

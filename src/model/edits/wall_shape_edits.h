@@ -2,14 +2,16 @@
 // All throw InvalidHome for ids that do not exist.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "model/edits/wall_edits.h"
 
 namespace idap {
 
-// Joins the nearest ends of two walls of one level, prolonging or shortening both to where their lines meet;
-// parallel ones in line meet in the middle of the gap. Throws InvalidHome where they cannot meet.
+// Joins the nearest ends of two walls of one level, free ones first, prolonging or shortening both to where
+// their lines meet; parallel ones in line meet in the middle of the gap. A wall that would lose more than
+// half a metre stays as it is, and the other ends on it. Throws InvalidHome where they cannot meet.
 Home joinWalls(const Home& home, WallId first, WallId second);
 
 // Start becomes end, left becomes right: the wall looks as before.
@@ -23,12 +25,22 @@ Home bendWall(const Home& home, WallId id, Vec2 through);
 // rooms whose outline has a point at that corner's faces.
 Home moveCorner(const Home& home, LevelId level, Vec2 corner, Vec2 to);
 
-// Walls along the outline of a room, outside of it, all joined.
+// Walls along the outline of a room, outside of it, all joined; none where one stands already.
 Home wallsAroundRoom(const Home& home, RoomId room, double thickness, double height);
 
-// Rooms follow the walls they were found in: gives every area that walls newly close a room (named by name),
-// and gives the rooms that filled such an area before its new outline. What the user drew by hand elsewhere
-// stays.
-Home followWalls(const Home& before, const Home& after, LevelId level, bool newRooms);
+// Rooms follow the walls they were found in. A room that filled an area between the walls of before fills
+// what became of that area after, and keeps all else; of an area cut in two it keeps the larger part (at
+// equal parts, the one its name stands in). Where two such rooms became one area both stay as they are. What
+// the user drew elsewhere stays. newRooms: every area that walls newly close gets a room of that name, with
+// the finishes of the room it was cut off from.
+Home followWalls(const Home& before, const Home& after, LevelId level, bool newRooms,
+                 const std::string& name = {});
+
+struct RoomsEdit {
+  Home home;
+  std::vector<RoomId> rooms;  // the new ones
+};
+// A room for every area that walls close on a level and that no room covers yet.
+RoomsEdit roomsOfClosedAreas(const Home& home, LevelId level, const std::string& name = {});
 
 }  // namespace idap
