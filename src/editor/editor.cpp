@@ -73,7 +73,7 @@ void Editor::redo() {
 
 void Editor::select(Elements elements) {
   elements = pruned(home(), std::move(elements));
-  if (list(elements) == list(selection_)) return;
+  if (same(elements, selection_)) return;
   selection_ = std::move(elements);
   notify(Change::Selection);
   notify(Change::Overlay);
@@ -171,9 +171,9 @@ void Editor::onHome(const Home& before, const Home& after) {
     level_ = now.levels.empty() ? LevelId{} : now.levels.begin()->first;
     notify(Change::Level);
   }
-  const Elements left = pruned(now, selection_);
-  if (list(left) != list(selection_)) {
-    selection_ = left;
+  Elements left = followed(was, now, selection_);
+  if (!same(left, selection_)) {
+    selection_ = std::move(left);
     notify(Change::Selection);
   }
   notify(Change::Overlay);

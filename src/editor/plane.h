@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "geometry/polygon.h"
 #include "geometry/vec.h"
@@ -41,6 +42,13 @@ constexpr Vec3 inWorld(Plane plane, Vec2 v) {
       return {v.x, v.y, 0};
   }
 }
+
+// The outline around points, counter-clockwise, without points that lie on its sides.
+Polygon convexHull(std::vector<Vec2> points);
+
+double distanceToSegment(Vec2 p, Vec2 a, Vec2 b);
+// To the border of a ring (closed) or to a line through points.
+double distanceToPath(const std::vector<Vec2>& points, bool closed, Vec2 p);
 
 // The outline of a piece's box on a plane, counter-clockwise, convex; with all three rotations. elevation is
 // that of the piece's level.

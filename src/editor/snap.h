@@ -56,6 +56,11 @@ std::vector<MeasureLine> clearances(const Editor& editor, Plane plane, const Pie
 
 // A door or window near a wall jumps into it: set in its thickness, turned along it, its front to the side of
 // the pointer. Nothing where no wall is within reach.
-std::optional<Opening> snapOpening(const Editor& editor, Opening opening, Vec2 at, double reach);
+// ignored: openings that it may overlap (itself, while it is moved). Its depth becomes that of the wall.
+std::optional<Opening> snapOpening(const Editor& editor, Opening opening, Vec2 at, double reach,
+                                   const Elements& ignored = {});
+
+// The step of the grid that points snap to, m: the smallest round length that is no less than a tolerance.
+double gridStep(double tolerance, LengthUnit unit);
 
 }  // namespace idap

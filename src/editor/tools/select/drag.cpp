@@ -1,0 +1,86 @@
+#include "editor/tools/select/drag.h"
+
+#include "base/error.h"
+#include "model/edits/piece_edits.h"
+#include "model/edits/wall_shape_edits.h"
+
+namespace idap {
+
+EditDrag::EditDrag(Editor& editor, std::string name, const PointerEvent& press, Cursor cursor)
+    : name_(std::move(name)), before_(editor.home()), press_(press), last_(press), cursor_(cursor) {
+  editor.document().begin(name_);
+}
+
+void EditDrag::update(Editor& editor) {
+  guides_.clear();
+  aim(editor, last_);
+  editor.preview([this](const Home& before) { return change(before); });
+}
+
+void EditDrag::move(Editor& editor, const PointerEvent& event) {
+  last_ = event;
+  update(editor);
+}
+
+void EditDrag::finish(Editor& editor) {
+  if (!editor.document().inTransaction()) return;
+  const Home moved = editor.home();
+  editor.preview([&](const Home& before) {
+    return moved == before ? moved : dimensionsFollow(before, settle(editor, before, moved));
+  });
+  editor.document().commit();
+}
+
+void EditDrag::cancel(Editor& editor) { editor.document().cancel(); }
+
+Drag::Answer EditDrag::key(Editor& editor, const KeyEvent& event) {
+  if (fields_.fields().empty()) return Answer::Unused;
+  switch (fields_.key(event, editor.settings().unit)) {
+    case TypedFields::Answer::Unused:
+      return Answer::Unused;
+    case TypedFields::Answer::Apply:
+      update(editor);
+      return Answer::Done;
+    case TypedFields::Answer::Changed:
+      update(editor);
+      return Answer::Used;
+    case TypedFields::Answer::Wrong:
+      break;
+  }
+  return Answer::Used;
+}
+
+Overlay EditDrag::overlay(const Editor& editor, Plane plane, double pixel) const {
+  Overlay overlay;
+  if (plane != press_.plane) return overlay;
+  overlay.guides = guides_;
+  show(editor, overlay, pixel);
+  if (!fields_.fields().empty()) fields_.into(overlay, last_.at);
+  return overlay;
+}
+
+SnappedPoint EditDrag::snapped(const Editor& editor, Vec2 at, const Elements& ignored, bool faces,
+                               std::optional<Vec2> from, std::optional<double> along) {
+  SnapRequest request;
+  request.plane = plane();
+  request.at = at;
+  request.tolerance = tolerance(last_);
+  request.from = from;
+  request.along = along;
+  request.ignored = ignored;
+  request.wallFaces = faces;
+  SnappedPoint point = snapPoint(editor, request, last_.modifiers.alt);
+  guides_.insert(guides_.end(), point.guides.begin(), point.guides.end());
+  return point;
+}
+
+Home withRooms(const Editor& editor, const Home& before, Home after) {
+  return editor.settings().roomAreas ? followWalls(before, after, editor.level(), false) : after;
+}
+
+double stepped(double angle, bool free) {
+  constexpr double kStep = kPi / 12;
+  return free ? angle : std::round(angle / kStep) * kStep;
+}
+
+}  // namespace idap
