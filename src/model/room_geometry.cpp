@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/wall_outline.h"
 #include "model/wall_path.h"
 
 namespace idap {
@@ -41,24 +42,24 @@ void addCorner(const End& a, const End& b, std::vector<Polygon>& pieces) {
   pieces.push_back({a.point, fromA, fromA + a.outward * s, fromB});
 }
 
+// What the walls of a level cover. Ends at one place that no joint was made of are closed too: files have
+// such corners.
 std::vector<Polygon> bodies(const Home& home, LevelId level) {
   std::vector<Polygon> pieces;
+  std::vector<End> loose;
   for (const auto& [id, wall] : home.walls) {
     if (wall->level != level) continue;
-    const WallPath path(*wall);
-    Polygon body = path.face(wall->thickness / 2);
-    const Polygon right = path.face(-wall->thickness / 2);
-    body.insert(body.end(), right.rbegin(), right.rend());
-    pieces.push_back(std::move(body));
+    pieces.push_back(wallOutline(home, id, *wall).polygon());
     for (const bool atEnd : {false, true}) {
       const Wall* other = home.walls.find(atEnd ? wall->neighbourAtEnd : wall->neighbourAtStart);
-      if (!other) continue;
-      const Vec2 corner = atEnd ? wall->end : wall->start;
-      for (const bool otherAtEnd : {false, true})
-        if (length((otherAtEnd ? other->end : other->start) - corner) <= kSamePlace)
-          addCorner(endOf(*wall, atEnd), endOf(*other, otherAtEnd), pieces);
+      const bool joined = other && (other->neighbourAtStart == id || other->neighbourAtEnd == id);
+      if (!joined) loose.push_back(endOf(*wall, atEnd));
     }
   }
+  std::sort(loose.begin(), loose.end(), [](const End& a, const End& b) { return a.point.x < b.point.x; });
+  for (std::size_t i = 0; i < loose.size(); ++i)
+    for (std::size_t j = i + 1; j < loose.size() && loose[j].point.x - loose[i].point.x <= kSamePlace; ++j)
+      if (length(loose[i].point - loose[j].point) <= kSamePlace) addCorner(loose[i], loose[j], pieces);
   return pieces;
 }
 
