@@ -191,7 +191,6 @@ void CatalogPanel::Impl::build(ThumbnailStore& thumbnails) {
     if (categories->chosen() == CategoryList::kLiked) applyQuery();
     onFiltered();
   });
-  grid->installEventFilter(this);
   self->installEventFilter(this);
 }
 
@@ -283,7 +282,7 @@ void CatalogPanel::Impl::onFiltered() {
     if (std::find(useful.begin(), useful.end(), tag) == useful.end()) useful.insert(useful.begin(), tag);
   for (const std::string& tag : useful) tags.push_back({tag, tagName(tag)});
   chips->setChips(std::move(tags), chips->on());
-  const QString count = CatalogPanel::tr("%n piece(s)", nullptr, model.rowCount());
+  const QString count = CatalogPanel::tr("Pieces: %1").arg(model.rowCount());
   status->setText(reading ? CatalogPanel::tr("Reading libraries…") : count);
   status->setToolTip(count);
 }
@@ -361,13 +360,6 @@ bool CatalogPanel::Impl::eventFilter(QObject* object, QEvent* event) {
   }
   if (object == search && key->key() == Qt::Key_Escape && !search->text().isEmpty()) {
     search->clear();
-    return true;
-  }
-  // Letters typed into the grid go on with the search.
-  if (object == grid && !key->text().isEmpty() && key->text().front().isLetterOrNumber() &&
-      !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
-    search->setFocus();
-    search->insert(key->text());
     return true;
   }
   return false;

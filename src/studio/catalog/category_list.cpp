@@ -2,11 +2,14 @@
 
 #include <QStyledItemDelegate>
 
+#include "studio/widgets/icons.h"
 #include "studio/widgets/texts.h"
 
 namespace idap {
 
 namespace {
+
+constexpr const char* kHeading = "*libraries";
 
 enum Role { IdRole = Qt::UserRole, CountRole };
 
@@ -31,7 +34,8 @@ class CountDelegate : public QStyledItemDelegate {
     QColor color = option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text);
     QColor faint = color;
     faint.setAlphaF(0.6f);
-    const QRect area = option.rect.adjusted(heading ? 4 : 8, 0, -8, 0);
+    const int indent = heading ? 6 : option.decorationSize.width() + 12;
+    const QRect area = option.rect.adjusted(indent, 0, -8, 0);
     int right = area.right();
     if (!heading) {
       const QString count = index.data(CountRole).toString();
@@ -53,6 +57,15 @@ class CountDelegate : public QStyledItemDelegate {
   }
 };
 
+QIcon iconOf(const std::string& id) {
+  if (id == CategoryList::kAll) return icon("furniture");
+  if (id == CategoryList::kLiked) return icon("favourite");
+  if (id == CategoryList::kRecent) return icon("recent");
+  if (id == kHeading) return {};
+  const QIcon own = icon(("category-" + id).c_str());
+  return own.isNull() ? icon("category-other") : own;
+}
+
 struct Row {
   std::string id;
   QString name;
@@ -71,11 +84,11 @@ CategoryList::CategoryList(QWidget* parent) : QListWidget(parent) {
 
 void CategoryList::show(const Counts& counts) {
   std::vector<Row> rows{{kAll, tr("All furniture"), counts.all},
-                        {kLiked, tr("★ Favourites"), counts.liked},
+                        {kLiked, tr("Favourites"), counts.liked},
                         {kRecent, tr("Recently used"), counts.recent}};
   bool builtin = true;
   for (const auto& category : counts.categories) {
-    if (builtin && !category.builtin) rows.push_back({"*libraries", tr("From libraries"), 0, true});
+    if (builtin && !category.builtin) rows.push_back({kHeading, tr("From libraries"), 0, true});
     builtin = category.builtin;
     rows.push_back({category.id, category.name, category.count});
   }
@@ -90,10 +103,12 @@ void CategoryList::show(const Counts& counts) {
       entry->setText(row.name);
       entry->setToolTip(row.heading ? QString() : row.name);
       entry->setData(IdRole, toQt(row.id));
+      if (const QString id = toQt(row.id); entry->icon().isNull() || entry->data(IdRole).toString() != id)
+        entry->setIcon(iconOf(row.id));
       entry->setData(CountRole, qulonglong(row.count));
       entry->setFlags(row.heading ? Qt::ItemFlags() : Qt::ItemIsEnabled | Qt::ItemIsSelectable);
       entry->setData(Qt::AccessibleTextRole,
-                     row.heading ? row.name : tr("%1, %n pieces", nullptr, int(row.count)).arg(row.name));
+                     row.heading ? row.name : QStringLiteral("%1 (%2)").arg(row.name).arg(row.count));
     }
     choose(before);
   }

@@ -20,6 +20,7 @@ class FurnitureList : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   struct Impl;
