@@ -30,6 +30,9 @@ class PlanView : public QWidget {
   void drawTo(QPainter& painter, const QRectF& target, const Box2& area) const;
   Box2 drawnBox() const;  // what zoomToFit shows
 
+  // Nothing is left to be painted, and no symbol is still being made: for pictures and tests.
+  bool settled() const;
+
  signals:
   void pointerAt(double u, double v);  // m; for the status bar
   void pointerLeft();

@@ -1,0 +1,26 @@
+// Walls seen from the side, as on an architect's section: the building is cut through its middle; walls that
+// are cut are dark, those behind are pale areas, those in front are only outlines.
+#pragma once
+
+#include <vector>
+
+#include "editor/plane.h"
+#include "model/home.h"
+
+namespace idap {
+
+// Where the level is cut, as nearness: the middle of its walls.
+double sectionOf(const Home& home, LevelId level, Plane plane);
+
+struct WallFace {
+  Polygon polygon;  // on the plane
+  enum class Kind { Front, Behind, Cut } kind = Kind::Behind;
+  double near = 0;
+};
+// The silhouette of a wall, and where it is cut the cut itself. Openings are not taken out.
+std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, Plane plane, double section);
+
+// Whether what is at such a wall stands between the eye and the section.
+bool inFront(const Home& home, const Opening& opening, Plane plane, double section);
+
+}  // namespace idap
