@@ -264,9 +264,11 @@ Home mirrorElements(const Home& home, const Elements& elements) {
 
 Home flipPlan(const Home& home, bool horizontally) {
   const Elements all = allElements(home);
-  Elements drawn = all;
-  drawn.cameras.clear();
-  Box2 box = planBounds(home, drawn);
+  // About the middle of the building, so that it stays where it is however its windows stick out.
+  Elements building;
+  building.walls = all.walls;
+  building.rooms = all.rooms;
+  Box2 box = planBounds(home, building);
   if (box.empty()) box = planBounds(home, all);
   if (box.empty()) return home;
   Motion motion{.about = (box.min + box.max) / 2, .mirrored = true};

@@ -152,6 +152,9 @@ Home joinWalls(const Home& home, WallId firstId, WallId secondId) {
   const Wall first = existing(home, firstId), second = existing(home, secondId);
   if (firstId == secondId) throw InvalidHome("a wall cannot be joined to itself");
   if (first.level != second.level) throw InvalidHome("these walls stand on different levels");
+  if ((first.neighbourAtStart == secondId || first.neighbourAtEnd == secondId) &&
+      (second.neighbourAtStart == firstId || second.neighbourAtEnd == firstId))
+    return home;
   using Choice = std::tuple<bool, double, WallEnd, WallEnd>;
   std::vector<Choice> choices;
   for (const WallEnd a : {WallEnd::Start, WallEnd::End})
