@@ -16,6 +16,7 @@
 #include "base/platform.h"
 #include "cli/command.h"
 #include "cli/message.h"
+#include "cli/studio.h"
 #include "cli/usage_error.h"
 
 namespace idap::cli {
@@ -41,8 +42,11 @@ int afterWriting(int status) {
 int runProgram(int argc, char** argv) {
   setUpProcess();
   setUpLogging();
+  if (meansStudio(argc, argv)) return fail(1, startStudio({argv + 1, argv + argc}));
   CLI::App app{
-      "IDAP: open a home, see it ray-traced, convert it. Run 'idap COMMAND --help' for one command."};
+      "IDAP: draw a home, furnish it, see it ray-traced. Without arguments, or with the FILE of a home, it "
+      "opens "
+      "the studio. Run 'idap COMMAND --help' for one command."};
   app.name("idap");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);
@@ -53,10 +57,6 @@ int runProgram(int argc, char** argv) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     sub->set_version_flag("--version", kVersion);
     jobs[sub] = command.describe(*sub);
-  }
-  if (argc <= 1) {
-    fmt::print("{}", app.help());
-    return afterWriting(0);
   }
   try {
     app.parse(argc, argv);

@@ -1,14 +1,65 @@
+// The studio: idap-studio [FILE…]. `idap` starts it.
 #include <QApplication>
-#include <QMessageBox>
+#include <QCommandLineParser>
+#include <QTimer>
+#include <cstdio>
 
+#include "base/log.h"
+#include "base/platform.h"
+#include "studio/widgets/icons.h"
 #include "studio/window/main_window.h"
 
+namespace {
+
+// A window is usable when it has been drawn and its event loop has nothing left to do.
+void measureStart() {
+  QTimer::singleShot(0, [] {
+    std::printf("{\"start_s\": %.3f, \"peak_rss_mb\": %.0f}\n", idap::processAgeSeconds(),
+                idap::peakMemoryMegabytes());
+    std::fflush(stdout);
+    QApplication::closeAllWindows();
+  });
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  idap::setUpProcess();
+  idap::setUpLogging();
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("idap"));
   QApplication::setApplicationDisplayName(QStringLiteral("IDAP"));
-  idap::MainWindow window(std::make_shared<const idap::Catalog>());
-  window.show();
-  if (argc > 1) window.openFile(argv[1]);
+  QApplication::setApplicationVersion(QStringLiteral(IDAP_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("idap"));
+  QApplication::setWindowIcon(idap::icon("idap"));
+
+  QCommandLineParser arguments;
+  arguments.setApplicationDescription(
+      QStringLiteral("IDAP: draw or open a home, furnish it, and see it as it would really look."));
+  arguments.addHelpOption();
+  arguments.addVersionOption();
+  arguments.addPositionalArgument(QStringLiteral("FILE"),
+                                  QStringLiteral("Homes to open (.idap, .sh3d), each in a window"),
+                                  QStringLiteral("[FILE...]"));
+  const QCommandLineOption measure(
+      QStringLiteral("measure-start"),
+      QStringLiteral("Print how long the start took and how much memory, and quit"));
+  arguments.addOption(measure);
+  arguments.process(application);
+
+  auto* window = new idap::MainWindow(std::make_shared<const idap::Catalog>());
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->show();
+  const QStringList files = arguments.positionalArguments();
+  if (!files.isEmpty()) window->openFile(files.first().toStdString());
+  idap::MainWindow* last = window;
+  for (qsizetype i = 1; i < files.size(); ++i) {
+    last = last->newWindow();
+    last->openFile(files[i].toStdString());
+  }
+  if (arguments.isSet(measure))
+    QTimer::singleShot(0, measureStart);
+  else if (files.isEmpty())
+    QTimer::singleShot(0, window, &idap::MainWindow::offerRestore);
   return QApplication::exec();
 }

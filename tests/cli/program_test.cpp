@@ -27,7 +27,6 @@ using testing::StartsWith;
 class Program : public test::ProgramTest {};
 
 TEST_F(Program, HelpAndVersionEverywhere) {
-  EXPECT_EQ(run("").status, 0);
   for (const std::string command : {"", "info", "render", "convert", "catalog"}) {
     const Outcome help = run(command + " --help");
     EXPECT_EQ(help.status, 0) << command;
@@ -49,6 +48,49 @@ TEST_F(Program, WrongUsageIsStatusTwo) {
     EXPECT_EQ(run("render " + sample() + " -o a.png " + wrong).status, 2) << wrong;
   EXPECT_EQ(run("render " + sample() + " -o a.tiff2").status, 2);
   EXPECT_EQ(filesInFolder(), 0u);
+}
+
+// Whatever the machine that runs the tests has.
+void withoutDisplay() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) unsetenv(name);
+}
+
+TEST_F(Program, WithoutADisplayTheStudioSaysSoInOneLine) {
+  for (const std::string& arguments : {std::string(), sample(), std::string("not-there.idap")}) {
+    const Outcome outcome = run(arguments, withoutDisplay);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("display")) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("idap render")) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+// A studio that only tells how it was called.
+TEST_F(Program, StartsTheStudioBesideItWithTheSameArguments) {
+  fs::copy_file(IDAP_PROGRAM, path("idap"));
+  write("idap-studio", "#!/bin/sh\nprintf '[%s]' \"$@\"; exit 7\n");
+  fs::permissions(path("idap-studio"), fs::perms::owner_all);
+  write("my plan.idap", "");
+  const auto start = [this](const std::string& arguments) {
+    const std::string command = "'" + path("idap").string() + "' " + arguments + " > out.txt";
+    return std::system(("cd '" + path("").string() + "' && QT_QPA_PLATFORM=offscreen " + command).c_str());
+  };
+  EXPECT_EQ(WEXITSTATUS(start("'my plan.idap'")), 7);
+  EXPECT_EQ(contents("out.txt"), "[my plan.idap]");
+  EXPECT_EQ(WEXITSTATUS(start("")), 7);
+  EXPECT_EQ(WEXITSTATUS(start("gone.sh3d --measure-start")), 7);
+  EXPECT_EQ(contents("out.txt"), "[gone.sh3d][--measure-start]");
+  EXPECT_EQ(WEXITSTATUS(start("--version")), 0);
+  EXPECT_EQ(WEXITSTATUS(start("frobnicate 2> err.txt")), 2);
+}
+
+TEST_F(Program, WhereTheStudioIsNotInstalledItSaysSo) {
+  fs::copy_file(IDAP_PROGRAM, path("idap"));
+  const std::string command =
+      "QT_QPA_PLATFORM=offscreen '" + path("idap").string() + "' 2> '" + path("err.txt").string() + "'";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+  EXPECT_THAT(contents("err.txt"), HasSubstr("not installed"));
 }
 
 TEST_F(Program, InfoCountsTheSample) {

@@ -15,7 +15,8 @@ struct BackgroundJob::Impl {
   QString what;
   Done done;
   std::atomic<double> fraction{0};
-  Progress progress{[this](double part, std::string_view) { fraction.store(part, std::memory_order_relaxed); }};
+  Progress progress{
+      [this](double part, std::string_view) { fraction.store(part, std::memory_order_relaxed); }};
   std::exception_ptr error;
   QElapsedTimer clock;
   QTimer timer;

@@ -24,9 +24,9 @@ class BackgroundJob : public QObject {
   BackgroundJob(QString what, Work work, Done done, QObject* owner);
   ~BackgroundJob() override;
 
-  QString what() const;       // "Reading home.idap", for the user
-  double fraction() const;    // 0..1
-  bool cancellable() const;   // false after setCancellable(false): a save that must not be stopped half way
+  QString what() const;      // "Reading home.idap", for the user
+  double fraction() const;   // 0..1
+  bool cancellable() const;  // false after setCancellable(false): a save that must not be stopped half way
   void setCancellable(bool cancellable);
   std::optional<double> secondsLeft() const;  // by the pace so far; nothing while that cannot be told
 

@@ -9,19 +9,44 @@
 
 namespace idap {
 
+class FileFlow;
+class Preferences;
+class ThumbnailStore;
+class ViewArea;
+class WindowActions;
+
+// What all windows of the program have together.
+struct StudioShared {
+  explicit StudioShared(std::shared_ptr<const Catalog> catalog);
+  ~StudioShared();
+  std::shared_ptr<const Catalog> catalog;
+  std::unique_ptr<Preferences> preferences;
+  std::unique_ptr<ThumbnailStore> thumbnails;
+};
+
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   explicit MainWindow(std::shared_ptr<const Catalog> catalog, QWidget* parent = nullptr);
+  explicit MainWindow(std::shared_ptr<StudioShared> shared, QWidget* parent = nullptr);
   ~MainWindow() override;
 
   Editor& editor();
   void openFile(const std::filesystem::path& file);  // in the background, with progress
+  void offerRestore();                               // of what a program that stopped has left; asks
   bool busy() const;                                 // reading or saving
+
+  Preferences& preferences();
+  FileFlow& files();
+  ViewArea& views();
+  WindowActions& actions();
+  MainWindow* newWindow();  // another one, shown; belongs to itself
 
  protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   struct Impl;
