@@ -41,7 +41,9 @@ std::optional<double> judged(const Search& search, const Spot& spot) {
   } else if (!room.holds(corners)) {
     return std::nullopt;
   }
-  if (search.manner != Manner::Floor && !room.free(corners, low, high, spot.on)) return std::nullopt;
+  if (on ? !room.freeOnTop(corners, low, high, spot.on)
+         : search.manner != Manner::Floor && !room.free(corners, low, high, spot.on))
+    return std::nullopt;
   double merit = spot.merit;
   if (!on && search.manner != Manner::Floor && search.manner != Manner::AtWindow) {
     if (room.blocksWay(corners, low, high)) {
@@ -89,7 +91,13 @@ std::optional<double> judged(const Search& search, const Spot& spot) {
       if (!room.holds(around) || !room.free(around, 0.1, 1.5)) merit -= 0.7;
     }
   }
-  if (search.near) merit -= kPerMetre * length(spot.middle - *search.near);
+  if (search.near) {
+    // All places at one table are as near.
+    Vec2 at = spot.middle;
+    for (const RoomSpace::Standing& other : room.furniture)
+      if (spot.on && other.id == spot.on) at = {other.piece->position.x, other.piece->position.y};
+    merit -= kPerMetre * length(at - *search.near);
+  }
   if (search.chosen && spot.on == search.chosen) merit += 3;
   return merit;
 }
@@ -105,9 +113,18 @@ std::optional<Spot> best(const Search& search, const std::vector<Spot>& spots) {
   return found;
 }
 
-// Lamps at the ceiling: the middle, or between those that hang there.
+// Lamps at the ceiling: over a table, in the middle, or between those that hang there.
 std::vector<Spot> spotsAtCeiling(const RoomSpace& room, const Furniture& piece) {
   std::vector<Spot> spots = spotsAllOver(room, piece);
+  for (const RoomSpace::Standing& other : room.furniture) {
+    if (piece.size.z < 0.5 || mannerOf(*other.piece) != Manner::Table) continue;
+    Spot over;
+    over.middle = {other.piece->position.x, other.piece->position.y};
+    over.angle = other.piece->angle;
+    over.z = piece.position.z;
+    over.merit = 0.5;
+    spots.push_back(over);
+  }
   for (Spot& spot : spots) {
     spot.merit *= 0.5;
     for (const RoomSpace::Standing& other : room.furniture)
@@ -143,6 +160,10 @@ std::optional<Spot> find(Search search, const CatalogPiece& catalog) {
     case Manner::LowTable:
     case Manner::Seat:
       first = spotsByOthers(room, piece, catalog, search.manner);
+      break;
+    case Manner::OnWall:
+      first = more(spotsByOthers(room, piece, catalog, search.manner),
+                   spotsAlongWalls(room, piece, search.manner));
       break;
     default:
       first = spotsAlongWalls(room, piece, search.manner);

@@ -80,6 +80,14 @@ bool RoomSpace::free(const Corners& corners, double low, double high, FurnitureI
                       [&](const Corners& wall) { return overlaps(corners, wall); });
 }
 
+bool RoomSpace::freeOnTop(const Corners& corners, double low, double high, FurnitureId table) const {
+  return std::none_of(furniture.begin(), furniture.end(), [&](const Standing& other) {
+    const double z = other.piece->position.z;
+    return other.id != table && z > low - 0.1 && z < high && z + other.piece->size.z > low + 1e-6 &&
+           overlaps(corners, other.corners);
+  });
+}
+
 bool RoomSpace::blocksWay(const Corners& corners, double low, double high) const {
   return std::any_of(openings.begin(), openings.end(), [&](const Hole& hole) {
     const double z = hole.opening->position.z;

@@ -40,6 +40,8 @@ struct RoomSpace {
   bool holds(const Corners& corners) const;
   // Nothing of the height range low..high, m above the level, is in the way; the given piece does not count.
   bool free(const Corners& corners, double low, double high, FurnitureId except = {}) const;
+  // The same for a thing on a table: what stands lower than its top (a chair's back) makes room.
+  bool freeOnTop(const Corners& corners, double low, double high, FurnitureId table) const;
   // A door opens here, for what reaches down into its height; and likewise windows, for what covers them.
   bool blocksWay(const Corners& corners, double low, double high) const;
   bool coversWindow(const Corners& corners, double low, double high) const;

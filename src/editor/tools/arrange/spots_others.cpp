@@ -46,18 +46,46 @@ void onTop(std::vector<Spot>& spots, const RoomSpace::Standing& support, const F
   // A shade at eye height belongs on something low.
   merit -= 0.3 * std::abs(table.position.z + top - 0.65);
   const double z = table.position.z + top;
-  const double x = std::max(0.0, (table.size.x - piece.size.x) / 2 - 0.05);
-  const double y = std::max(0.0, (table.size.y - piece.size.y) / 2 - 0.05);
+  const double x = std::max(0.0, (table.size.x - piece.size.x) / 2 - 0.03);
+  const double y = std::max(0.0, (table.size.y - piece.size.y) / 2 - 0.03);
   const auto add = [&](Vec2 local, double worse) {
     Spot spot = beside(support, local, 0, z, merit - worse);
     spot.on = support.id;
     spots.push_back(spot);
   };
-  const bool wide = says(catalog, "lamp") && table.size.x > 0.8 && says(table, "desk");
-  add({0, 0}, wide ? 0.2 : 0);
-  for (const double u : {-1.0, 1.0, 0.0, -0.5, 0.5})
-    for (const double v : {1.0, 0.0, -1.0})
-      if (u != 0 || v != 0) add({u * x, v * y}, 0.05 + 0.02 * std::abs(u) + 0.03 * (1 - v));
+  // Screens stand back, what hands are on lies in front, and a lamp lights from the side.
+  double bestX = 0, bestY = 0;
+  if (says(catalog, "laptop")) bestY = -0.5;
+  if (says(catalog, "monitor")) bestY = 0.8;
+  if (says(catalog, "lamp") && table.size.x > 0.8) bestX = -1, bestY = 1;
+  for (const double u : {0.0, -1.0, 1.0, -0.5, 0.5})
+    for (const double v : {0.0, -0.5, 0.8, 1.0, -1.0})
+      add({u * x, v * y}, 0.05 * std::abs(u - bestX) + 0.06 * std::abs(v - bestY));
+}
+
+// On the wall above what it belongs to, in the middle or flush with a side.
+void above(std::vector<Spot>& spots, const RoomSpace& room, const RoomSpace::Standing& other,
+           const Furniture& piece, const CatalogPiece& catalog) {
+  const Vec2 behind =
+      middleOf(*other.piece) + rotated(Vec2{0, other.piece->size.y / 2 + 0.03}, other.piece->angle);
+  if (contains(room.area, behind)) return;  // no wall there
+  const struct {
+    const char *thing, *place;
+    double merit;
+  } kPairs[] = {{"hood", "hob stove cooker", 3},
+                {"mirror", "washbasin basin vanity console dresser dressing chest", 1.5},
+                {"kitchen", "sink base dishwasher", 1},
+                {"tv television", "bench media sideboard", 1.5},
+                {"picture painting frame art", "sofa bed sideboard", 0.6}};
+  double merit = 0;
+  for (const auto& pair : kPairs)
+    if (says(catalog, pair.thing) && says(*other.piece, pair.place)) merit = std::max(merit, pair.merit);
+  if (merit <= 0 || other.piece->position.z > piece.position.z) return;
+  const double y = (other.piece->size.y - piece.size.y) / 2;
+  const double flush = std::abs(other.piece->size.x - piece.size.x) / 2;
+  spots.push_back(beside(other, {0, y}, 0, piece.position.z, merit));
+  for (const double x : {-flush, flush})
+    spots.push_back(beside(other, {x, y}, 0, piece.position.z, merit - 0.1));
 }
 
 void atTable(std::vector<Spot>& spots, const RoomSpace::Standing& at, const Furniture& piece) {
@@ -66,8 +94,9 @@ void atTable(std::vector<Spot>& spots, const RoomSpace::Standing& at, const Furn
   const bool stool = piece.size.z > 0.65 && piece.size.y < 0.5 && says(piece, "bar");
   if (stool != (table.size.z > 0.85 && manner == Manner::Table)) return;
   const double tuck = 0.4 * piece.size.y;  // pushed under so far
-  const double front = (table.size.y + piece.size.y) / 2 - tuck,
-               side = (table.size.x + piece.size.x) / 2 - tuck;
+  const double front = (table.size.y + piece.size.y) / 2 - tuck;
+  // At the ends half as far, clear of the chairs at the corners.
+  const double end = (table.size.x + piece.size.y - tuck) / 2;
   const auto add = [&](Vec2 local, double turn, double merit) {
     Spot spot = beside(at, local, turn, piece.position.z, merit);
     spot.on = at.id;
@@ -80,8 +109,8 @@ void atTable(std::vector<Spot>& spots, const RoomSpace::Standing& at, const Furn
     add({x, -front}, kPi, 0.5 - 0.02 * i);
     add({x, front}, 0, 0.49 - 0.02 * i);
   }
-  add({-side, 0}, kPi / 2, 0.2);
-  add({side, 0}, -kPi / 2, 0.19);
+  add({-end, 0}, kPi / 2, 0.2);
+  add({end, 0}, -kPi / 2, 0.19);
 }
 
 void beforeSofa(std::vector<Spot>& spots, const RoomSpace::Standing& sofa, const Furniture& piece) {
@@ -122,6 +151,7 @@ std::vector<Spot> spotsByOthers(const RoomSpace& room, const Furniture& piece, c
   for (const RoomSpace::Standing& other : room.furniture) {
     const Manner its = mannerOf(*other.piece);
     if (manner == Manner::BesideBed && its == Manner::Bed) besideBed(spots, other, piece);
+    if (manner == Manner::OnWall) above(spots, room, other, piece, catalog);
     if (manner == Manner::OnTop) onTop(spots, other, piece, catalog);
     if (manner == Manner::Seat && (its == Manner::Table || its == Manner::Desk)) atTable(spots, other, piece);
     if (manner == Manner::LowTable && its == Manner::Sofa) beforeSofa(spots, other, piece);
