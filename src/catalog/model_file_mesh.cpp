@@ -200,8 +200,8 @@ class Builder {
 
 }  // namespace
 
-void fitToUnitBox(Mesh& mesh, const std::array<Vec3, 3>& rotation) {
-  if (mesh.positions.empty()) return;
+Vec3f fitToUnitBox(Mesh& mesh, const std::array<Vec3, 3>& rotation) {
+  if (mesh.positions.empty()) return {};
   const Transform given{rotation[0], rotation[1], rotation[2], {}};
   const double determinant = given.determinant();
   const bool usable = std::isfinite(determinant) && std::abs(determinant) > 1e-6;
@@ -227,6 +227,7 @@ void fitToUnitBox(Mesh& mesh, const std::array<Vec3, 3>& rotation) {
     const float squared = dot(n, n);
     n = squared > 0 ? n / std::sqrt(squared) : Vec3f{0, 0, 1};
   }
+  return extent;
 }
 
 SurfaceModel surfaceModelOf(PolygonModel model, const std::array<Vec3, 3>& rotation, bool smoothed) {
@@ -234,7 +235,8 @@ SurfaceModel surfaceModelOf(PolygonModel model, const std::array<Vec3, 3>& rotat
   result.slots = std::move(model.slots);
   result.mesh = Builder(model, smoothed).build();
   result.unitBox = true;
-  fitToUnitBox(result.mesh, rotation);
+  const Vec3f size = fitToUnitBox(result.mesh, rotation);
+  result.fileSize = {size.x, size.y, size.z};
   return result;
 }
 

@@ -33,7 +33,8 @@ struct PolygonModel {
 // empty when nothing is left. rotation as in ModelFileOptions.
 SurfaceModel surfaceModelOf(PolygonModel model, const std::array<Vec3, 3>& rotation, bool smoothed);
 
-// Fits a mesh in the file's axes (Y up) to the unit box of SurfaceModel, turning it Z up on the way.
-void fitToUnitBox(Mesh& mesh, const std::array<Vec3, 3>& rotation);
+// Fits a mesh in the file's axes (Y up) to the unit box of SurfaceModel, turning it Z up on the way. Gives
+// the size of the box it had, turned but not yet fitted.
+Vec3f fitToUnitBox(Mesh& mesh, const std::array<Vec3, 3>& rotation);
 
 }  // namespace idap

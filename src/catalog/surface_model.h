@@ -21,6 +21,7 @@ struct SurfaceModel {
   Mesh mesh;
   std::vector<Slot> slots;
   bool unitBox = false;  // true: fit to the piece's size by scaling
+  Vec3 fileSize;         // of a model from a file: its box in the file's own unit, turned as asked
   bool backFacesShown = false;
   std::vector<Vec3> lightPositions;  // where a lamp's bulbs sit, in object space; empty: unknown
 };
