@@ -106,7 +106,7 @@ std::vector<Command> alignCommands() {
        .enabled = canDistribute,
        .run = distribute<false>},
   };
-  all[6].separatorBefore = all[10].separatorBefore = true;
+  all[0].separatorBefore = all[6].separatorBefore = all[10].separatorBefore = true;
   return all;
 }
 

@@ -15,6 +15,11 @@ constexpr double kGap = 0.1;   // m between a copied window and the first
 bool anySelected(const Editor& editor) { return !empty(editor.selection()); }
 bool anyChangeable(const Editor& editor) { return !empty(changeable(editor)); }
 
+// While another tool is in hand the key is its own: it turns what is being placed.
+bool canTurn(const Editor& editor) {
+  return editor.selecting() && !editor.document().inTransaction() && anyChangeable(editor);
+}
+
 void deleteSelected(Editor& editor) {
   const Elements gone = changeable(editor);
   if (empty(gone)) return;
@@ -104,7 +109,7 @@ std::vector<Command> editCommands() {
                                 "Turns what is selected by 90 degrees counter-clockwise about its middle; "
                                 "a door or window in its wall to the other side"),
        .shortcut = "R",
-       .enabled = anyChangeable,
+       .enabled = canTurn,
        .run = [](Editor& editor) { rotate(editor, kPi / 2); },
        .inContextMenu = true,
        .separatorBefore = true},
@@ -114,7 +119,7 @@ std::vector<Command> editCommands() {
                                 "Turns what is selected by 90 degrees clockwise about its middle; a door or "
                                 "window in its wall to the other side"),
        .shortcut = "Shift+R",
-       .enabled = anyChangeable,
+       .enabled = canTurn,
        .run = [](Editor& editor) { rotate(editor, -kPi / 2); },
        .inContextMenu = true},
       {.id = "mirror",

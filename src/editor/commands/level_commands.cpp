@@ -64,6 +64,7 @@ Home withVisible(const Home& home, LevelId id, bool visible) {
 
 bool isVisible(const Editor& editor) { return hasLevels(editor) && current(editor)->visible; }
 void toggleVisible(Editor& editor) {
+  if (!hasLevels(editor)) return;
   const bool visible = !isVisible(editor);
   editor.apply(visible ? QT_TRANSLATE_NOOP("idap", "Show level") : QT_TRANSLATE_NOOP("idap", "Hide level"),
                [&](const Home& home) { return withVisible(home, editor.level(), visible); });
@@ -76,6 +77,7 @@ bool isAlone(const Editor& editor) {
          });
 }
 void toggleAlone(Editor& editor) {
+  if (!hasLevels(editor)) return;
   const bool alone = !isAlone(editor);
   editor.apply(alone ? QT_TRANSLATE_NOOP("idap", "Show only this level")
                      : QT_TRANSLATE_NOOP("idap", "Show all levels"),

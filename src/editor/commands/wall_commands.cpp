@@ -35,6 +35,7 @@ Home withRooms(const Editor& editor, const Home& before, Home after) {
 }
 
 void join(Editor& editor) {
+  if (!twoWalls(editor)) return;
   const std::vector<WallId> pair = walls(editor);
   editor.apply(QT_TRANSLATE_NOOP("idap", "Join walls"),
                [&](const Home& home) { return withRooms(editor, home, joinWalls(home, pair[0], pair[1])); });
