@@ -158,15 +158,16 @@ class DimensionTool : public Tool {
     made.startElevation = from.z - editor.elevation();
     made.endElevation = to.z - editor.elevation();
     const Vec2 along = normalized(end_ - start_);
-    if (std::abs(along.x) > 0.5) {
-      // Level: tilted up, so that the line is drawn above what it measures.
-      made.pitch = kPi / 2;
-      made.offset = along.x > 0 ? beside : -beside;
-    } else {
-      // Upright: the pitch is the direction on the plan that the offset is left of.
-      made.pitch = plane_ == Plane::XZ ? -kPi / 2 : 0;
-      made.offset = along.y > 0 ? -beside : beside;
-    }
+    // The offset counts to the left on this plane; the pitch says the same to who looks from elsewhere: of a
+    // level line how far the offset is tilted up from the plan, of an upright one the direction on the plan
+    // that the offset is left of.
+    made.offset = beside;
+    if (std::abs(along.x) > 0.5)
+      made.pitch = along.x > 0 ? kPi / 2 : -kPi / 2;
+    else if (plane_ == Plane::XZ)
+      made.pitch = along.y > 0 ? kPi / 2 : -kPi / 2;
+    else
+      made.pitch = along.y > 0 ? kPi : 0;
     return made;
   }
 

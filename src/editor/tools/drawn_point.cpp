@@ -28,9 +28,21 @@ void DrawnPoint::follow(const Editor& editor, const PointerEvent& event, const L
   request.ignored = line.ignored;
   request.wallFaces = line.wallFaces;
   snapped_ = snapPoint(editor, request, event.modifiers.alt);
+  if (line.from && !event.modifiers.alt && editor.settings().snapping) roundLength(editor, event, *line.from);
   from_ = line.from;
   known_ = true;
   showValues();
+}
+
+// A length that nothing else gives is a round one, as fine as the pointer can be moved.
+void DrawnPoint::roundLength(const Editor& editor, const PointerEvent& event, Vec2 from) {
+  const bool free = snapped_.to == SnappedPoint::To::Nothing ||
+                    (snapped_.to == SnappedPoint::To::Angle && snapped_.guides.size() < 2);
+  const double drawn = length(snapped_.at - from);
+  const double step = gridStep(event.pixel * 0.999, editor.settings().unit);
+  if (!free || drawn < step) return;
+  snapped_.at = from + (snapped_.at - from) * (std::round(drawn / step) * step / drawn);
+  for (GuideLine& guide : snapped_.guides) guide.to = snapped_.at;
 }
 
 void DrawnPoint::startFrom(Vec2 from) {

@@ -44,6 +44,7 @@ class DrawnPoint {
 
  private:
   void showValues();
+  void roundLength(const Editor& editor, const PointerEvent& event, Vec2 from);
 
   TypedFields fields_;
   std::optional<Vec2> from_;

@@ -70,7 +70,8 @@ class LabelTool : public Tool {
     const bool used = text_.key(event, editor.settings().unit) != TypedFields::Answer::Unused;
     if (used) show(editor);
     // Letters are text here and no shortcuts, even those that do not fit.
-    return {.used = used || event.key == Key::Character || event.key == Key::Backspace};
+    const bool letter = event.key == Key::Character && !event.modifiers.control && !event.modifiers.alt;
+    return {.used = used || letter || event.key == Key::Backspace || event.key == Key::Delete};
   }
 
   Overlay overlay(const Editor& editor, Plane plane, double) const override {

@@ -14,17 +14,19 @@ namespace idap {
 
 namespace {
 
-constexpr double kPerMetre = 0.3;  // merit lost a metre away from where the user is at work
-constexpr double kBeforeIt = 0.6;  // m in front of a piece that one needs to use it
-constexpr double kNoAccess = 1.2;  // merit lost where that is taken,
-constexpr double kOnWay = 4;       // where it stands in a door's way,
-constexpr double kOnWindow = 2;    // or covers a window
+constexpr double kFromSelected = 0.3;  // merit lost a metre away from what is selected,
+constexpr double kFromPointer = 0.05;  // or from where the pointer was
+constexpr double kBeforeIt = 0.6;      // m in front of a piece that one needs to use it
+constexpr double kNoAccess = 1.2;      // merit lost where that is taken,
+constexpr double kOnWay = 4;           // where it stands in a door's way,
+constexpr double kOnWindow = 2;        // or covers a window
 
 struct Search {
   const RoomSpace& room;
   const Furniture& piece;
   Manner manner;
   std::optional<Vec2> near;
+  double perMetre;     // merit lost a metre away from there
   FurnitureId chosen;  // the selected piece: things go onto it, beside it
   bool doorsMatter;
 };
@@ -41,17 +43,27 @@ std::optional<double> judged(const Search& search, const Spot& spot) {
   } else if (!room.holds(corners)) {
     return std::nullopt;
   }
-  if (on ? !room.freeOnTop(corners, low, high, spot.on)
-         : search.manner != Manner::Floor && !room.free(corners, low, high, spot.on))
+  if (search.manner == Manner::AtWindow) {
+    // What stands under the window is behind the curtain, or is moved; another curtain is not.
+    for (const RoomSpace::Standing& other : room.furniture)
+      if (mannerOf(*other.piece) == Manner::AtWindow && overlaps(corners, other.corners)) return std::nullopt;
+  } else if (on ? !room.freeOnTop(corners, low, high, spot.on)
+                : search.manner != Manner::Floor && !room.free(corners, low, high, spot.on))
     return std::nullopt;
   double merit = spot.merit;
   if (!on && search.manner != Manner::Floor && search.manner != Manner::AtWindow) {
     if (room.blocksWay(corners, low, high)) {
       if (search.doorsMatter) return std::nullopt;
-      merit -= kOnWay;
+      merit -= room.blocksDoorstep(corners, low, high) ? 2 * kOnWay : kOnWay;
     }
-    if (room.coversWindow(corners, low, high)) merit -= kOnWindow;
-    if (search.manner == Manner::OnWall && room.coversWindow(corners, low, high)) return std::nullopt;
+    if (room.coversWindow(corners, low, high)) {
+      if (search.manner == Manner::OnWall) return std::nullopt;
+      merit -= kOnWindow;
+    }
+    // Flames under curtains; hands in water with a view.
+    if (says(piece, "hob stove cooker") && room.coversWindow(corners, 0, 1.6)) merit -= 1;
+    if (says(piece, "sink") && room.coversWindow(corners, 0.95, 1.6))
+      merit += 0.7 + (high > 1 ? kOnWindow : 0);
   }
   const bool used = search.manner == Manner::Bed || search.manner == Manner::Sofa ||
                     search.manner == Manner::Screen || search.manner == Manner::Desk ||
@@ -96,7 +108,7 @@ std::optional<double> judged(const Search& search, const Spot& spot) {
     Vec2 at = spot.middle;
     for (const RoomSpace::Standing& other : room.furniture)
       if (spot.on && other.id == spot.on) at = {other.piece->position.x, other.piece->position.y};
-    merit -= kPerMetre * length(at - *search.near);
+    merit -= search.perMetre * length(at - *search.near);
   }
   if (search.chosen && spot.on == search.chosen) merit += 3;
   return merit;
@@ -211,10 +223,15 @@ bool placeOpening(Editor& editor, const CatalogPiece& piece, std::optional<Vec2>
 
 bool placeAutomatically(Editor& editor, const CatalogPiece& piece, std::optional<Vec2> near) {
   if (editor.document().inTransaction()) editor.tool().cancel(editor);
-  if (!near) {
-    // Where the user is at work: the piece or the room that is selected.
-    const Box3 box = bounds(editor.home(), editor.selection());
-    if (!box.empty()) near = Vec2{box.centre().x, box.centre().y};
+  // Where the user is at work: the piece or the room that is selected. The pointer tells the room only: it
+  // may have been anywhere on its way to the catalog.
+  double perMetre = kFromPointer;
+  if (const Box3 box = bounds(editor.home(), editor.selection()); !box.empty()) {
+    near = Vec2{box.centre().x, box.centre().y};
+    perMetre = kFromSelected;
+  } else if (near) {
+    const RoomSpace around = roomSpace(editor.home(), editor.level(), near);
+    if (around.closed && !contains(around.area, *near)) near.reset();
   }
   if (piece.kind == PieceKind::Door || piece.kind == PieceKind::Window)
     return placeOpening(editor, piece, near);
@@ -224,7 +241,7 @@ bool placeAutomatically(Editor& editor, const CatalogPiece& piece, std::optional
   FurnitureId chosen;
   if (const auto one = single(editor.selection()); one && std::holds_alternative<FurnitureId>(*one))
     chosen = std::get<FurnitureId>(*one);
-  const std::optional<Spot> spot = find({room, ready, mannerOf(piece), near, chosen, true}, piece);
+  const std::optional<Spot> spot = find({room, ready, mannerOf(piece), near, perMetre, chosen, true}, piece);
   if (spot) {
     ready.position = {spot->middle.x, spot->middle.y, spot->z};
     ready.angle = std::abs(spot->angle) < 1e-12 ? 0 : spot->angle;

@@ -35,10 +35,7 @@ class PlaceFurnitureTool : public Tool {
 
   const ToolInfo& info() const override { return kInfo; }
 
-  void begin(Editor& editor) override {
-    piece_ = readyFurniture(editor, *catalogPiece_, {});
-    height_ = piece_.position.z;
-  }
+  void begin(Editor& editor) override { makeReady(editor); }
 
   // Half done is the piece in the air; Escape therefore puts the tool away.
   bool cancel(Editor& editor) override {
@@ -112,6 +109,11 @@ class PlaceFurnitureTool : public Tool {
   Cursor cursor(const Editor&, Plane) const override { return Cursor::Move; }
 
  private:
+  void makeReady(const Editor& editor) {
+    piece_ = readyFurniture(editor, *catalogPiece_, {});
+    height_ = piece_.position.z;
+  }
+
   Elements ignored() const {
     Elements elements;
     if (preview_) elements.furniture.push_back(preview_);
@@ -125,7 +127,7 @@ class PlaceFurnitureTool : public Tool {
       plane_ = event.plane;
       unseen_ = unseenCoordinate(editor, plane_, event.at);
     }
-    piece_.level = editor.level();
+    if (piece_.level != editor.level()) makeReady(editor);  // another ceiling
     piece_.angle = angle_;
     if (plane_ == Plane::XY) {
       piece_.position = {event.at.x, event.at.y, height_};

@@ -41,7 +41,10 @@ RoomSpace::Hole hole(OpeningId id, const Opening& opening) {
   if (way)
     for (const Sash& sash : opening.sashes) reach = std::max(reach, sash.width * opening.size.x);
   const Vec2 middle{opening.position.x, opening.position.y};
-  return {id, &opening, way, rectangle(middle, {opening.size.x, opening.size.y + 2 * reach}, opening.angle)};
+  const auto before = [&](double depth) {
+    return rectangle(middle, {opening.size.x, opening.size.y + 2 * depth}, opening.angle);
+  };
+  return {id, &opening, way, before(reach), before(reach / 2)};
 }
 
 }  // namespace
@@ -92,6 +95,13 @@ bool RoomSpace::blocksWay(const Corners& corners, double low, double high) const
   return std::any_of(openings.begin(), openings.end(), [&](const Hole& hole) {
     const double z = hole.opening->position.z;
     return hole.way && low < z + hole.opening->size.z && high > z && overlaps(corners, hole.swing);
+  });
+}
+
+bool RoomSpace::blocksDoorstep(const Corners& corners, double low, double high) const {
+  return std::any_of(openings.begin(), openings.end(), [&](const Hole& hole) {
+    const double z = hole.opening->position.z;
+    return hole.way && low < z + hole.opening->size.z && high > z && overlaps(corners, hole.step);
   });
 }
 

@@ -32,6 +32,7 @@ struct RoomSpace {
     const Opening* opening;
     bool way;       // people walk through
     Corners swing;  // what a leaf sweeps, or what one needs to pass or to open a window
+    Corners step;   // the first step before it
   };
   std::vector<Hole> openings;
   std::vector<Corners> walls;  // straight ones, for what stands in the way inside the room
@@ -44,6 +45,7 @@ struct RoomSpace {
   bool freeOnTop(const Corners& corners, double low, double high, FurnitureId table) const;
   // A door opens here, for what reaches down into its height; and likewise windows, for what covers them.
   bool blocksWay(const Corners& corners, double low, double high) const;
+  bool blocksDoorstep(const Corners& corners, double low, double high) const;
   bool coversWindow(const Corners& corners, double low, double high) const;
 };
 
