@@ -243,7 +243,8 @@ TEST(RandomEdits, WhatIsSavedOpensEqual) {
     for (int i = 0; i < 40; ++i) user.act();
     const auto bytes = std::make_shared<const Bytes>(idap->write(user.home(), {}));
     const ReadResult back = idap->read(bytes, "home.idap", {});
-    EXPECT_EQ(back.home, user.home());
+    // Files that nothing uses any more are not saved.
+    EXPECT_EQ(back.home, withoutUnusedAssets(user.home()));
     EXPECT_TRUE(back.report.entries.empty());
   }
 }
@@ -279,7 +280,8 @@ Drawing rectangles(Random& random) {
     const double clear = xs[i + 1] - xs[i] - (i == 0 ? outer : inner) / 2 - (last ? outer : inner) / 2;
     double floor = outer / 2, y = 0;
     while (random.below(2) && height - y > 5) {
-      y += random.real(1, 2.5);
+      // In steps of a centimetre: ends within a millimetre of each other are one corner.
+      y += 0.01 * (100 + random.below(150));
       drawing.add({xs[i], y}, {xs[i + 1], y}, inner);
       drawing.areas.push_back(clear * (y - inner / 2 - floor));
       floor = y + inner / 2;
