@@ -16,6 +16,7 @@ struct SnapRequest {
   std::optional<Vec2> from;     // the line being drawn starts here: angles in 15-degree steps count from it
   std::optional<double> along;  // and so do angles against this direction (the last wall's), radians
   std::vector<Vec2> own;        // points of what is being drawn, to close it
+  std::vector<Vec2> marks;      // what it may line up with, beside what is there
   Elements ignored;             // what is being moved
   bool wallFaces = false;  // also onto the faces of walls (rooms, dimensions), not only their centre lines
 };

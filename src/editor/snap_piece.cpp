@@ -13,8 +13,8 @@ namespace {
 constexpr double kAlongside = 1.0;  // m between pieces that still line up with each other
 constexpr double kOverhang = 0.1;   // m that what stands on a table may reach beyond it
 constexpr double kReachable = 1.7;  // m: on what is higher nobody puts things from above
-constexpr double kTall = 0.8;         // m: what is taller stands on the floor, or on something low
-constexpr double kLow = 0.3;          // m
+constexpr double kTall = 0.8;       // m: what is taller stands on the floor, or on something low
+constexpr double kLow = 0.3;        // m
 constexpr double kThin = 0.03;      // m: a rug
 
 enum Rank { AgainstWall, Touch, Edge, Centre, RoomCentre };

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSamePlace = 1e-3;     // m
 constexpr double kAngleReach = 0.07;    // radians off a step of 15 degrees that still count
+constexpr double kAngleFar = 2.5;       // times the tolerance that they may move the point
 constexpr double kAlignmentFar = 30.0;  // m: nobody lines up with what is out of sight
 
 struct Line {
@@ -144,7 +145,8 @@ std::optional<Line> angleLine(const SnapRequest& request) {
     const double candidate = base + std::round((angle - base) / (kPi / 12)) * (kPi / 12);
     if (std::abs(angle - candidate) < off - 1e-9) off = std::abs(angle - candidate), step = candidate;
   }
-  if (off > kAngleReach && far * off > request.tolerance) return {};
+  // Near the start by angle, further off by what is still near on the screen.
+  if (far * off > (off > kAngleReach ? 1 : kAngleFar) * request.tolerance) return {};
   return Line{*request.from, *request.from + rotated(Vec2{1, 0}, step), true};
 }
 
@@ -210,6 +212,7 @@ SnappedPoint snapPoint(const Editor& editor, const SnapRequest& request, bool of
 
   const std::optional<Line> angle = angleLine(request);
   near.marks.insert(near.marks.end(), request.own.begin(), request.own.end());
+  near.marks.insert(near.marks.end(), request.marks.begin(), request.marks.end());
   if (request.from) near.marks.push_back(*request.from);
   const std::vector<Line> aligned = alignmentLines(request, near.marks);
 
@@ -246,17 +249,21 @@ SnappedPoint snapPoint(const Editor& editor, const SnapRequest& request, bool of
     return *best;
   }
 
-  if (angle) {
+  if (angle)
     for (const Line& axis : aligned)
       if (const auto p = crossing(*angle, axis); p && distance(*p) <= 2 * request.tolerance && !zero(*p))
         return guided(*p, To::Angle, {&*angle, &axis});
-    return guided(foot(*angle, request.at), To::Angle, {&*angle});
-  }
   if (aligned.size() == 2)
     if (const auto p = crossing(aligned[0], aligned[1]); p && !zero(*p))
       return guided(*p, To::Alignment, {&aligned[0], &aligned[1]});
-  if (!aligned.empty() && !zero(foot(aligned[0], request.at)))
-    return guided(foot(aligned[0], request.at), To::Alignment, {&aligned[0]});
+  const Line* nearest = angle ? &*angle : nullptr;
+  for (const Line& axis : aligned) {
+    const Vec2 p = foot(axis, request.at);
+    if (!zero(p) && (!nearest || distance(p) < distance(foot(*nearest, request.at)))) nearest = &axis;
+  }
+  if (nearest)
+    return guided(foot(*nearest, request.at), angle && nearest == &*angle ? To::Angle : To::Alignment,
+                  {nearest});
   return onGrid(editor, request);
 }
 

@@ -91,8 +91,11 @@ SelectHandles cameraHandles(const Editor& editor, Plane plane, CameraId id) {
                           return std::make_unique<CameraDrag>(e, press, id, what);
                         }};
   };
-  SelectHandles handles{handle(HandleKind::Aim, aim, std::atan2(aim.y - eye.y, aim.x - eye.x),
-                               QT_TRANSLATE_NOOP("idap", "Drag to aim the camera."), CameraDrag::What::Aim)};
+  SelectHandles handles;
+  // Looking along the line of sight there is nothing to take hold of beside the body.
+  if (length(aim - eye) > kCameraBody)
+    handles.push_back(handle(HandleKind::Aim, aim, std::atan2(aim.y - eye.y, aim.x - eye.x),
+                             QT_TRANSLATE_NOOP("idap", "Drag to aim the camera."), CameraDrag::What::Aim));
   if (plane != Plane::XY) return handles;
   const Vec2 side = cameraCone(plane, *camera)[2];
   handles.push_back(handle(HandleKind::Offset, side, std::atan2(side.y - eye.y, side.x - eye.x) + kPi / 2,

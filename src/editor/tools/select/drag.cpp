@@ -6,15 +6,28 @@
 
 namespace idap {
 
+namespace {
+// Finding the rooms between so many walls takes a few milliseconds.
+constexpr std::size_t kWallsFollowed = 24;
+}  // namespace
+
 EditDrag::EditDrag(Editor& editor, std::string name, const PointerEvent& press, Cursor cursor)
-    : name_(std::move(name)), before_(editor.home()), press_(press), last_(press), cursor_(cursor) {
+    : name_(std::move(name)),
+      before_(editor.home()),
+      press_(press),
+      last_(press),
+      cursor_(cursor),
+      settlesAlong_(before_.walls.size() <= kWallsFollowed) {
   editor.document().begin(name_);
 }
 
 void EditDrag::update(Editor& editor) {
   guides_.clear();
   aim(editor, last_);
-  editor.preview([this](const Home& before) { return change(before); });
+  editor.preview([&](const Home& before) {
+    Home next = change(before);
+    return settlesAlong_ ? settle(editor, before, std::move(next)) : next;
+  });
 }
 
 void EditDrag::move(Editor& editor, const PointerEvent& event) {
@@ -26,7 +39,8 @@ void EditDrag::finish(Editor& editor) {
   if (!editor.document().inTransaction()) return;
   const Home moved = editor.home();
   editor.preview([&](const Home& before) {
-    return moved == before ? moved : dimensionsFollow(before, settle(editor, before, moved));
+    if (moved == before) return moved;
+    return dimensionsFollow(before, settlesAlong_ ? moved : settle(editor, before, moved));
   });
   editor.document().commit();
 }
@@ -60,13 +74,15 @@ Overlay EditDrag::overlay(const Editor& editor, Plane plane, double pixel) const
 }
 
 SnappedPoint EditDrag::snapped(const Editor& editor, Vec2 at, const Elements& ignored, bool faces,
-                               std::optional<Vec2> from, std::optional<double> along) {
+                               std::optional<Vec2> from, std::optional<double> along,
+                               std::vector<Vec2> marks) {
   SnapRequest request;
   request.plane = plane();
   request.at = at;
   request.tolerance = tolerance(last_);
   request.from = from;
   request.along = along;
+  request.marks = std::move(marks);
   request.ignored = ignored;
   request.wallFaces = faces;
   SnappedPoint point = snapPoint(editor, request, last_.modifiers.alt);

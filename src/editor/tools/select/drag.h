@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "editor/editor.h"
 #include "editor/snap.h"
@@ -41,7 +42,7 @@ class EditDrag : public Drag {
  protected:
   virtual void aim(const Editor& editor, const PointerEvent& event) = 0;
   virtual Home change(const Home& before) = 0;
-  // What follows the change when it is done, beside dimensions.
+  // What follows the change, beside dimensions: all along in a small home, at the end in a large one.
   virtual Home settle(const Editor&, const Home&, Home after) { return after; }
   // What is seen in the plane of the drag.
   virtual void show(const Editor&, Overlay&, double pixel) const { (void)pixel; }
@@ -53,7 +54,8 @@ class EditDrag : public Drag {
   double tolerance(const PointerEvent& event) const { return kSnapReach * event.pixel; }
   // A point of the plane that the pointer means, snapped.
   SnappedPoint snapped(const Editor& editor, Vec2 at, const Elements& ignored, bool faces = true,
-                       std::optional<Vec2> from = {}, std::optional<double> along = {});
+                       std::optional<Vec2> from = {}, std::optional<double> along = {},
+                       std::vector<Vec2> marks = {});
 
   TypedFields fields_;
   std::vector<GuideLine> guides_;
@@ -65,6 +67,7 @@ class EditDrag : public Drag {
   Home before_;
   PointerEvent press_, last_;
   Cursor cursor_;
+  bool settlesAlong_;
 };
 
 // Rooms follow walls that changed, where the settings want it.

@@ -294,13 +294,11 @@ void MoveDrag::finish(Editor& editor) {
     // Begun as a move: undo should call it what it became.
     editor.document().cancel();
     editor.document().begin(kCopy);
-    editor.preview([this](const Home& before) { return change(before); });
+    move(editor, last());
   }
   EditDrag::finish(editor);
   if (copies_) editor.select(copied_);
 }
-
-void MoveDrag::cancel(Editor& editor) { EditDrag::cancel(editor); }
 
 Drag::Answer MoveDrag::key(Editor& editor, const KeyEvent& event) {
   if ((event.key == Key::Tab || event.key == Key::BackTab) && measures_.size() > 1) {

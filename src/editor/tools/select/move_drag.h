@@ -11,7 +11,6 @@ class MoveDrag final : public EditDrag {
   // lead: the element under the pointer, which snaps for all.
   MoveDrag(Editor& editor, const PointerEvent& press, Elements elements, AnyId lead);
   void finish(Editor& editor) override;
-  void cancel(Editor& editor) override;
   Answer key(Editor& editor, const KeyEvent& event) override;
   Text hint() const override;
 

@@ -18,7 +18,9 @@ PointDrag::PointDrag(Editor& editor, const PointerEvent& press, Source source)
 }
 
 void PointDrag::aim(const Editor& editor, const PointerEvent& event) {
-  to_ = snapped(editor, event.at + offset_, source_.ignored, source_.faces, source_.from).at;
+  to_ = snapped(editor, event.at + offset_, source_.ignored, source_.faces,
+                source_.angles ? source_.from : std::nullopt, {}, source_.marks)
+            .at;
   if (!source_.from) return;
   const Vec2 line = to_ - *source_.from;
   double span = length(line), angle = std::atan2(line.y, line.x);

@@ -14,7 +14,9 @@ class PointDrag final : public EditDrag {
   struct Source {
     std::string name;  // of the edit
     Vec2 point;
-    std::optional<Vec2> from;  // the point before it: angles count from there
+    std::optional<Vec2> from;  // the point before it: its length and angle count from there
+    bool angles = true;        // snaps to steps of angles from there
+    std::vector<Vec2> marks;   // points to be in line with
     Elements ignored;
     bool faces = true;
     Place place;  // puts it there

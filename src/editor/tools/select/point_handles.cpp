@@ -18,6 +18,11 @@ SelectHandle pointHandle(PointDrag::Source source, const char* tip, std::functio
           std::move(remove)};
 }
 
+std::vector<Vec2> others(std::vector<Vec2> points, std::size_t without) {
+  points.erase(points.begin() + static_cast<std::ptrdiff_t>(without));
+  return points;
+}
+
 constexpr const char* kPointTip = QT_TRANSLATE_NOOP("idap", "Drag to move the point; Delete removes it.");
 constexpr const char* kMovePoint = QT_TRANSLATE_NOOP("idap", "Move point");
 
@@ -31,10 +36,10 @@ SelectHandles roomHandles(const Editor& editor, Plane plane, RoomId id) {
   for (std::size_t i = 0; i < n; ++i) {
     std::function<Home(const Home&)> remove;
     if (n > 3) remove = [id, i](const Home& home) { return removeRoomPoint(home, id, i); };
-    handles.push_back(
-        pointHandle({kMovePoint, room->points[i], room->points[(i + n - 1) % n], only(id), true,
-                     [id, i](const Home& home, Vec2 to) { return moveRoomPoint(home, id, i, to); }},
-                    kPointTip, std::move(remove)));
+    handles.push_back(pointHandle(
+        {kMovePoint, room->points[i], room->points[(i + n - 1) % n], false, others(room->points, i), only(id),
+         true, [id, i](const Home& home, Vec2 to) { return moveRoomPoint(home, id, i, to); }},
+        kPointTip, std::move(remove)));
   }
   return handles;
 }
@@ -64,12 +69,12 @@ SelectHandles polylineHandles(const Editor& editor, Plane plane, PolylineId id) 
           points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
         });
       };
-    handles.push_back(pointHandle({kMovePoint, line->points[i], from, only(id), true,
-                                   [change, i](const Home& home, Vec2 to) {
-                                     return change(home,
-                                                   [i, to](std::vector<Vec2>& points) { points[i] = to; });
-                                   }},
-                                  kPointTip, std::move(remove)));
+    handles.push_back(
+        pointHandle({kMovePoint, line->points[i], from, true, others(line->points, i), only(id), true,
+                     [change, i](const Home& home, Vec2 to) {
+                       return change(home, [i, to](std::vector<Vec2>& points) { points[i] = to; });
+                     }},
+                    kPointTip, std::move(remove)));
   }
   return handles;
 }
@@ -82,24 +87,28 @@ SelectHandles dimensionHandles(const Editor& editor, Plane plane, DimensionId id
   if (!line) return {};
   SelectHandles handles;
   for (const bool atEnd : {false, true})
-    handles.push_back(
-        pointHandle({QT_TRANSLATE_NOOP("idap", "Move dimension"), atEnd ? line->end : line->start,
-                     atEnd ? line->start : line->end, only(id), true,
-                     [id, atEnd, plane, floor](const Home& home, Vec2 to) {
-                       Home next = home;
-                       Dimension moved = *home.dimensions.find(id);
-                       Vec2& point = atEnd ? moved.end : moved.start;
-                       double& height = atEnd ? moved.endElevation : moved.startElevation;
-                       if (plane == Plane::XY) {
-                         point = to;
-                       } else {
-                         (plane == Plane::XZ ? point.x : point.y) = to.x;
-                         height = to.y - floor;
-                       }
-                       next.dimensions.set(id, moved);
-                       return next;
-                     }},
-                    QT_TRANSLATE_NOOP("idap", "Drag to measure from another point."), nullptr));
+    handles.push_back(pointHandle({QT_TRANSLATE_NOOP("idap", "Move dimension"),
+                                   atEnd ? line->end : line->start,
+                                   atEnd ? line->start : line->end,
+                                   true,
+                                   {},
+                                   only(id),
+                                   true,
+                                   [id, atEnd, plane, floor](const Home& home, Vec2 to) {
+                                     Home next = home;
+                                     Dimension moved = *home.dimensions.find(id);
+                                     Vec2& point = atEnd ? moved.end : moved.start;
+                                     double& height = atEnd ? moved.endElevation : moved.startElevation;
+                                     if (plane == Plane::XY) {
+                                       point = to;
+                                     } else {
+                                       (plane == Plane::XZ ? point.x : point.y) = to.x;
+                                       height = to.y - floor;
+                                     }
+                                     next.dimensions.set(id, moved);
+                                     return next;
+                                   }},
+                                  QT_TRANSLATE_NOOP("idap", "Drag to measure from another point."), nullptr));
   const Vec2 across = perpendicular(line->end - line->start);
   handles.push_back({{HandleKind::Offset, (line->from + line->to) / 2, std::atan2(across.y, across.x), false},
                      sizeCursor(std::atan2(across.y, across.x)),

@@ -110,7 +110,9 @@ void SizeDrag::aim(const Editor& editor, const PointerEvent& event) {
 Piece SizeDrag::sized() const {
   Piece next = piece_;
   next.size = size_;
-  next.position += placement(piece_).point(local(piece_.size, -1)) - placement(next).point(local(size_, -1));
+  Vec3 before = local(piece_.size, -1), after = local(size_, -1);
+  if (side_[2] == 0) before.z = after.z = 0;  // it stays on what it stands on
+  next.position += placement(piece_).point(before) - placement(next).point(after);
   return next;
 }
 

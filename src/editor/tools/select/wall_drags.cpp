@@ -34,8 +34,10 @@ WallEndDrag::WallEndDrag(Editor& editor, const PointerEvent& press, WallId id, W
       offset_(corner_ - press.at) {
   for (const auto& [otherId, other] : before().walls)
     if (other->level == wall_.level &&
-        (length(other->start - corner_) <= kSamePlace || length(other->end - corner_) <= kSamePlace))
+        (length(other->start - corner_) <= kSamePlace || length(other->end - corner_) <= kSamePlace)) {
       add(ignored_, otherId);
+      marks_.push_back(length(other->start - corner_) <= kSamePlace ? other->end : other->start);
+    }
   const Vec2 line = corner_ - fixed_;
   fields_.define({{.label = QT_TRANSLATE_NOOP("idap", "Length"), .value = length(line), .active = true},
                   {.label = QT_TRANSLATE_NOOP("idap", "Angle"),
@@ -45,7 +47,7 @@ WallEndDrag::WallEndDrag(Editor& editor, const PointerEvent& press, WallId id, W
 
 void WallEndDrag::aim(const Editor& editor, const PointerEvent& event) {
   const Vec2 was = corner_ - fixed_;
-  to_ = snapped(editor, event.at + offset_, ignored_, false, fixed_, std::atan2(was.y, was.x)).at;
+  to_ = snapped(editor, event.at + offset_, ignored_, false, fixed_, std::atan2(was.y, was.x), marks_).at;
   const Vec2 line = to_ - fixed_;
   double span = length(line), angle = span > 0 ? std::atan2(line.y, line.x) : std::atan2(was.y, was.x);
   fields_.show(0, span);

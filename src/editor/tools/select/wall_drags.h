@@ -33,7 +33,8 @@ class WallEndDrag final : public WallDrag {
  private:
   Vec2 corner_, fixed_, to_;
   Vec2 offset_;
-  Elements ignored_;
+  Elements ignored_;         // the walls that meet there
+  std::vector<Vec2> marks_;  // their other ends
 };
 
 class WallArcDrag final : public WallDrag {
