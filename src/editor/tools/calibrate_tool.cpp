@@ -25,12 +25,20 @@ const ToolInfo kMoveInfo{"move-background",
                          "",
                          {{"Alt", QT_TRANSLATE_NOOP("idap", "no snapping")}}};
 
+void sayNone(Editor& editor) {
+  editor.say(QT_TRANSLATE_NOOP("idap", "This level has no background picture"), Editor::Severity::Warning);
+}
+
 bool hasBackground(const Home& home, LevelId level) { return home.backgrounds.contains(level); }
 
 class CalibrateTool : public Tool {
  public:
   explicit CalibrateTool(LevelId level) : level_(level) {}
   const ToolInfo& info() const override { return kCalibrateInfo; }
+
+  void begin(Editor& editor) override {
+    if (!hasBackground(editor.home(), level_)) sayNone(editor);
+  }
 
   Text hint() const override {
     switch (points_.size()) {
@@ -111,6 +119,10 @@ class MoveBackgroundTool : public Tool {
  public:
   explicit MoveBackgroundTool(LevelId level) : level_(level) {}
   const ToolInfo& info() const override { return kMoveInfo; }
+
+  void begin(Editor& editor) override {
+    if (!hasBackground(editor.home(), level_)) sayNone(editor);
+  }
 
   bool cancel(Editor& editor) override {
     if (!from_) return false;

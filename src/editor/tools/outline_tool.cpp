@@ -21,6 +21,7 @@ bool OutlineTool::cancel(Editor&) {
 }
 
 void OutlineTool::follow(Editor& editor, const PointerEvent& event) {
+  pointer_ = event.at;
   DrawnPoint::Line line;
   line.wallFaces = manner_.area;
   if (!points_.empty()) line.from = points_.back();
@@ -56,6 +57,9 @@ Response OutlineTool::pointer(Editor& editor, const PointerEvent& event) {
       place(editor);
       return {};
     }
+    case PointerEvent::Kind::Leave:
+      if (points_.empty()) point_ = DrawnPoint();
+      return {};
     case PointerEvent::Kind::DoubleClick:
       if (event.button != PointerEvent::Button::Left) return {};
       // The first click of the two has put a point.
@@ -125,7 +129,10 @@ Overlay OutlineTool::overlay(const Editor& editor, Plane plane, double pixel) co
     return overlay;
   }
   point_.into(overlay, pixel);
-  if (points_.empty()) return overlay;
+  if (points_.empty()) {
+    if (point_.known()) offer(editor, pointer_, overlay);
+    return overlay;
+  }
   PreviewShape shape;
   shape.points = points_;
   shape.points.push_back(point_.at());

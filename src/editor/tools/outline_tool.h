@@ -28,6 +28,8 @@ class OutlineTool : public Tool {
   virtual void finish(Editor& editor, std::vector<Vec2> points, bool closed) = 0;
   // A double click where nothing was begun.
   virtual void fill(Editor&, Vec2) {}
+  // Shown while nothing is begun: what a double click here would do.
+  virtual void offer(const Editor&, Vec2, Overlay&) const {}
 
  private:
   std::size_t fewest() const { return manner_.area ? 3 : 2; }
@@ -38,6 +40,7 @@ class OutlineTool : public Tool {
   Manner manner_;
   DrawnPoint point_;
   std::vector<Vec2> points_;
+  Vec2 pointer_;
   std::optional<Vec2> pressedAt_;
 };
 

@@ -18,8 +18,9 @@ std::unique_ptr<Tool> makePlaceTool(CatalogPiecePtr piece, bool once);
 std::unique_ptr<Tool> makeBareOpeningTool();
 
 // Puts a piece where it fits without a pointer (Enter in the catalog): a door or window into the longest free
-// stretch of wall, furniture into a free place of the room around near, along its walls first. Selects it.
-// False when it had to refuse (no wall for a door), with words to the user.
+// stretch of wall, furniture as people put it (beds with the head to a wall, night tables beside them, chairs
+// at tables, lamps on them or at the ceiling), free of others and of doors: beside what is selected, else in
+// the room around near. Selects it. False when it had to refuse (no wall for a door), with words to the user.
 bool placeAutomatically(Editor& editor, const CatalogPiece& piece, std::optional<Vec2> near = {});
 
 // The catalog piece ready to be placed: named in the user's language, hung from the ceiling of the current

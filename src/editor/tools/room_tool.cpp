@@ -1,4 +1,6 @@
 // Rooms: drawn point by point, or found inside walls by a double click.
+#include <cmath>
+
 #include "editor/tools/outline_tool.h"
 #include "editor/tools/tool_list.h"
 #include "model/edits/element_edits.h"
@@ -37,8 +39,15 @@ class RoomTool : public OutlineTool {
     add(editor, std::move(room));
   }
 
+  void offer(const Editor& editor, Vec2 at, Overlay& overlay) const override {
+    const Polygon* area = areaAt(editor, at);
+    if (!area || roomIn(editor, *area, at)) return;
+    overlay.shapes.push_back({*area, true, true});
+    overlay.note = QT_TRANSLATE_NOOP("idap", "Double-click makes this a room");
+  }
+
   void fill(Editor& editor, Vec2 at) override {
-    std::optional<Polygon> area = closedAreaAt(editor.home(), editor.level(), at);
+    const Polygon* area = areaAt(editor, at);
     if (!area) {
       editor.say(
           QT_TRANSLATE_NOOP("idap", "No walls close around this point: draw the room corner by corner"),
@@ -46,21 +55,40 @@ class RoomTool : public OutlineTool {
       return;
     }
     // The same room twice would only hide the first.
-    const double size = std::abs(signedArea(*area));
-    for (const auto& [id, room] : editor.home().rooms)
-      if (room->level == editor.level() && contains(room->points, at) &&
-          std::abs(floorArea(*room) - size) < 0.05 * size) {
-        editor.select(only(id));
-        editor.say(QT_TRANSLATE_NOOP("idap", "There is a room already"));
-        return;
-      }
+    if (const auto there = roomIn(editor, *area, at)) {
+      editor.select(only(*there));
+      editor.say(QT_TRANSLATE_NOOP("idap", "There is a room already"));
+      return;
+    }
     Room room;
     room.level = editor.level();
-    room.points = std::move(*area);
+    room.points = *area;
     add(editor, std::move(room));
   }
 
  private:
+  // The areas are looked for again only when a wall has changed: the pointer asks for them at every move.
+  const Polygon* areaAt(const Editor& editor, Vec2 at) const {
+    if (!looked_ || lookedLevel_ != editor.level() || walls_.chunks() != editor.home().walls.chunks()) {
+      looked_ = true;
+      lookedLevel_ = editor.level();
+      walls_ = editor.home().walls;
+      areas_ = closedAreas(editor.home(), editor.level());
+    }
+    for (const Polygon& area : areas_)
+      if (contains(area, at)) return &area;
+    return nullptr;
+  }
+
+  static std::optional<RoomId> roomIn(const Editor& editor, const Polygon& area, Vec2 at) {
+    const double size = std::abs(signedArea(area));
+    for (const auto& [id, room] : editor.home().rooms)
+      if (room->level == editor.level() && contains(room->points, at) &&
+          std::abs(floorArea(*room) - size) < 0.05 * size)
+        return id;
+    return std::nullopt;
+  }
+
   static void add(Editor& editor, Room room) {
     RoomId id;
     if (editor.apply(QT_TRANSLATE_NOOP("idap", "Add room"), [&](const Home& home) {
@@ -70,6 +98,11 @@ class RoomTool : public OutlineTool {
         }))
       editor.select(only(id));
   }
+
+  mutable bool looked_ = false;
+  mutable LevelId lookedLevel_;
+  mutable Table<WallId, Wall> walls_;
+  mutable std::vector<Polygon> areas_;
 };
 
 }  // namespace

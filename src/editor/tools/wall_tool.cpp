@@ -4,6 +4,7 @@
 
 #include "editor/tools/drawn_point.h"
 #include "editor/tools/tool_list.h"
+#include "model/edits/level_edits.h"
 #include "model/edits/wall_edits.h"
 #include "model/edits/wall_shape_edits.h"
 #include "model/wall_path.h"
@@ -166,8 +167,9 @@ class WallTool : public Tool {
     wall.end = end();
     wall.arcExtent = arc();
     wall.thickness = point_.fields().value(kThickness).value_or(thickness(editor));
-    wall.heightAtStart = wall.heightAtEnd =
-        editor.settings().wallHeight > 0 ? editor.settings().wallHeight : editor.home().wallHeight;
+    wall.heightAtStart = wall.heightAtEnd = editor.settings().wallHeight > 0
+                                                ? editor.settings().wallHeight
+                                                : ceilingHeight(editor.home(), editor.level());
     wall.pattern = editor.settings().wallPattern;
     return wall;
   }

@@ -68,6 +68,8 @@ TEST_F(DrawingTools, DoubleClickClosesARoom) {
 TEST_F(DrawingTools, DoubleClickFillsWalls) {
   openRoom(4, 3);
   editor.takeTool("room");
+  move({2, 1});
+  EXPECT_EQ(overlay().shapes.size(), 1u) << "shows the area before";
   doubleClick({2, 1});
   ASSERT_EQ(home().rooms.size(), 1u);
   EXPECT_NEAR(floorArea(newest(home().rooms)), 12, 1e-3);

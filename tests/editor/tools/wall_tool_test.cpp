@@ -119,6 +119,26 @@ TEST_F(WallTool, EndsOnTheMiddleOfAnotherWall) {
   EXPECT_EQ(closedAreas(home(), {}).size(), 2u);
 }
 
+TEST_F(WallTool, AWallThroughARoomMakesTwo) {
+  for (const Vec2 p : {Vec2{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}}) click(p);
+  ASSERT_EQ(home().rooms.size(), 1u);
+  const Home before = home();
+  click({2, 3});
+  click({2, 0});
+  ASSERT_EQ(home().walls.size(), 5u);
+  ASSERT_EQ(home().rooms.size(), 2u);
+  for (const auto& [id, room] : home().rooms) EXPECT_NEAR(floorArea(*room), 1.9 * 2.9, 1e-3);
+  editor.undo();
+  EXPECT_EQ(home(), before);
+}
+
+TEST_F(WallTool, LengthsDrawnFreelyAreRound) {
+  click({0, 0});
+  click({2.5137, 0.02});
+  rightClick({5, 5});
+  EXPECT_NEAR(newest(home().walls).end.x, 2.51, 1e-9);
+}
+
 TEST_F(WallTool, BackspaceTakesTheLastWallBack) {
   click({0, 0});
   click({4, 0});
