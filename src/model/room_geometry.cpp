@@ -1,6 +1,8 @@
 #include "model/room_geometry.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "model/wall_outline.h"
 #include "model/wall_path.h"
@@ -81,6 +83,48 @@ Vec2 middleAt(const Polygon& points, double y, double& longest) {
   return middle;
 }
 
+std::vector<Polygon> findAreas(const Home& home, LevelId level, double gap) {
+  Regions walls = unite(bodies(home, level));
+  if (gap > 0) walls = buffer(walls, gap);
+  std::vector<Polygon> areas;
+  for (const Region& region : walls)
+    for (const Polygon& hole : region.holes) {
+      Regions open = repair(hole);
+      if (gap > 0) open = buffer(open, gap);
+      for (Region& found : open)
+        if (signedArea(found.outer) > kMinArea) areas.push_back(std::move(found.outer));
+    }
+  return areas;
+}
+
+// The areas found last, by the identity of the walls they lie between: while a wall is dragged or the pointer
+// looks for a room, the same walls are asked for over and over.
+class FoundAreas {
+ public:
+  const std::vector<Polygon>& of(const Home& home, LevelId level, double gap) {
+    for (Entry& entry : entries_)
+      if (&entry.walls.chunks() == &home.walls.chunks() && entry.level == level && entry.gap == gap) {
+        entry.used = ++clock_;
+        return entry.areas;
+      }
+    Entry& oldest = *std::min_element(entries_.begin(), entries_.end(),
+                                      [](const Entry& a, const Entry& b) { return a.used < b.used; });
+    oldest = {home.walls, level, gap, ++clock_, findAreas(home, level, gap)};
+    return oldest.areas;
+  }
+
+ private:
+  struct Entry {
+    Table<WallId, Wall> walls;  // kept, so that no others come to lie where they are
+    LevelId level;
+    double gap = -1;
+    std::uint64_t used = 0;
+    std::vector<Polygon> areas;
+  };
+  std::array<Entry, 6> entries_;
+  std::uint64_t clock_ = 0;
+};
+
 }  // namespace
 
 double floorArea(const Room& room) { return area(repair(room.points)); }
@@ -114,17 +158,8 @@ Vec2 roomCentre(const Room& room) {
 }
 
 std::vector<Polygon> closedAreas(const Home& home, LevelId level, double gap) {
-  Regions walls = unite(bodies(home, level));
-  if (gap > 0) walls = buffer(walls, gap);
-  std::vector<Polygon> areas;
-  for (const Region& region : walls)
-    for (const Polygon& hole : region.holes) {
-      Regions open = repair(hole);
-      if (gap > 0) open = buffer(open, gap);
-      for (Region& found : open)
-        if (signedArea(found.outer) > kMinArea) areas.push_back(std::move(found.outer));
-    }
-  return areas;
+  thread_local FoundAreas found;
+  return found.of(home, level, gap);
 }
 
 std::optional<Polygon> closedAreaAt(const Home& home, LevelId level, Vec2 point, double gap) {

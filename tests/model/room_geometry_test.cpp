@@ -105,5 +105,35 @@ TEST(RoomGeometry, RoundWallsBoundRoomsToo) {
   EXPECT_NEAR(signedArea(areas[0]), kPi * 1.9 * 1.9, 0.03);
 }
 
+TEST(RoomGeometry, CornersThatWereNeverJoinedAreClosedToo) {
+  Home home;
+  const Vec2 corners[] = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    Wall wall;
+    wall.start = corners[i];
+    wall.end = corners[(i + 1) % 6];
+    wall.thickness = 0.4;
+    home.walls.set(home.newId<WallId>(), wall);
+  }
+  const auto areas = closedAreas(home, {});
+  ASSERT_EQ(areas.size(), 1u);
+  EXPECT_NEAR(signedArea(areas[0]), 3.6 * 1.6 + 1.6 * 2, 1e-6);
+}
+
+TEST(RoomGeometry, WhatWasFoundForOtherWallsIsNotMixedUp) {
+  Home home = test::smallFlat();
+  for (int i = 0; i < 20; ++i) {
+    Wall wall = *home.walls.find(WallId{5});
+    wall.start.x = wall.end.x = 2 + i * 0.1;
+    home.walls.set(WallId{5}, wall);
+    for (const double gap : {0.0, 0.005}) {
+      const auto left = closedAreaAt(home, {}, {1, 1}, gap);
+      ASSERT_TRUE(left);
+      EXPECT_NEAR(signedArea(*left), (1.85 + i * 0.1) * 3.8, 1e-6);
+    }
+    EXPECT_TRUE(closedAreas(home, LevelId{3}).empty());
+  }
+}
+
 }  // namespace
 }  // namespace idap

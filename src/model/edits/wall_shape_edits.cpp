@@ -146,6 +146,20 @@ bool standsThere(const Home& home, const Wall& wall) {
   });
 }
 
+// Rooms after walls were moved: those that fill an area still do, others keep their points at walls' corners.
+Home withRoomCorners(const Home& before, const Home& after, LevelId level) {
+  Home next = followWalls(before, after, level, false);
+  const Anchors anchors(before, next);
+  for (const auto& [id, room] : before.rooms) {
+    if (room->level != level || next.rooms.find(id)->points != room->points) continue;
+    Room moved = *room;
+    for (Vec2& p : moved.points)
+      if (const auto place = anchors.wallCorner(level, p)) p = *place;
+    if (moved.points != room->points) next.rooms.set(id, std::move(moved));
+  }
+  return next;
+}
+
 }  // namespace
 
 Home joinWalls(const Home& home, WallId firstId, WallId secondId) {
@@ -226,16 +240,14 @@ Home moveCorner(const Home& home, LevelId level, Vec2 corner, Vec2 to) {
     for (const WallEnd end : {WallEnd::Start, WallEnd::End})
       if (samePlace(endPoint(*wall, end), corner)) move.set(id, end, to);
   }
-  Home next = followWalls(home, move.applied(), level, false);
-  const Anchors anchors(home, next);
-  for (const auto& [id, room] : home.rooms) {
-    if (room->level != level || next.rooms.find(id)->points != room->points) continue;
-    Room moved = *room;
-    for (Vec2& p : moved.points)
-      if (const auto place = anchors.wallCorner(level, p)) p = *place;
-    if (moved.points != room->points) next.rooms.set(id, std::move(moved));
-  }
-  return next;
+  return withRoomCorners(home, move.applied(), level);
+}
+
+Home moveWall(const Home& home, WallId id, Vec2 start, Vec2 end) {
+  WallMove move(home);
+  move.set(id, WallEnd::Start, start);
+  move.set(id, WallEnd::End, end);
+  return withRoomCorners(home, move.applied(), existing(home, id).level);
 }
 
 Home wallsAroundRoom(const Home& home, RoomId id, double thickness, double height) {

@@ -25,6 +25,9 @@ Home bendWall(const Home& home, WallId id, Vec2 through);
 // rooms whose outline has a point at that corner's faces.
 Home moveCorner(const Home& home, LevelId level, Vec2 corner, Vec2 to);
 
+// The same for both ends of a wall at once.
+Home moveWall(const Home& home, WallId id, Vec2 start, Vec2 end);
+
 // Walls along the outline of a room, outside of it, all joined; none where one stands already.
 Home wallsAroundRoom(const Home& home, RoomId room, double thickness, double height);
 

@@ -137,6 +137,17 @@ TEST(MoveCorner, TakesWallsAndRoomsAlong) {
   expectNear(triangle.points[2], {2, 1});
 }
 
+TEST(MoveWall, BothCornersGoAtOnce) {
+  Home home;
+  const auto ids = test::addWalls(home, {{0, 0}, {4, 0}, {4, 3}, {0, 3}});
+  const RoomEdit room = addRoomAt(home, {}, {1, 1}, "Found");
+  const Home moved = moveWall(room.home, ids[1], {5, 0}, {5, 3});
+  expectNear(get(moved, ids[0]).end, {5, 0});
+  expectNear(get(moved, ids[2]).start, {5, 3});
+  EXPECT_NEAR(floorArea(*moved.rooms.find(room.room)), 4.8 * 2.8, 1e-9);
+  EXPECT_THROW(moveWall(home, WallId{99}, {}, {1, 1}), InvalidHome);
+}
+
 TEST(WallsAroundRoom, StandOutsideOfItAndCloseIt) {
   for (const Polygon& outline :
        {Polygon{{0, 0}, {4, 0}, {4, 3}, {0, 3}},
