@@ -17,7 +17,11 @@ class PropertyPanel : public QWidget {
 
   void focusFirst();  // the Property command: the keyboard goes to its first field
 
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
  protected:
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:

@@ -227,8 +227,10 @@ void ColorButton::paintEvent(QPaintEvent*) {
   const int inset = height() / 5;
   QRect inner = rect().adjusted(inset, inset, -inset, -inset);
   QString words;
-  if (mixed_) words = tr("Several values");
-  else if (!color_) words = noneWords_;
+  if (mixed_)
+    words = tr("Several values");
+  else if (!color_)
+    words = noneWords_;
   if (words.isEmpty()) {
     paintSwatch(painter, inner, color_ ? std::optional(toQt(*color_)) : std::nullopt, palette());
     return;

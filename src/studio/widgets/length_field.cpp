@@ -17,10 +17,9 @@ ValueField::Reading LengthField::read(const QString& text) const {
   try {
     return {parseLength(fromQt(text), unit_), {}};
   } catch (const ParseError&) {
-    return {0,
-            tr("“%1” is not a length. Write a number, with a unit if you like, or a sum: 120, 3.25 m, "
-               "10'8\", 120+15.")
-                .arg(text)};
+    return {0, tr("“%1” is not a length. Write a number, with a unit if you like, or a sum: 120, 3.25 m, "
+                  "10'8\", 120+15.")
+                   .arg(text)};
   }
 }
 

@@ -81,8 +81,9 @@ void MaterialPicker::setMixed() {
   update();
 }
 
-void MaterialPicker::setPlain(const QString& words, std::optional<Color> color) {
-  if (words == plainWords_ && color == plainColor_) return;
+void MaterialPicker::setPlain(const QString& words, std::optional<Color> color, const std::string& material) {
+  if (words == plainWords_ && color == plainColor_ && material == plainMaterial_) return;
+  plainMaterial_ = material;
   plainWords_ = words;
   plainColor_ = color;
   update();
@@ -175,10 +176,10 @@ bool MaterialPicker::takePicture(const QString& path) {
     QToolTip::showText(mapToGlobal(QPoint(0, height())), problem_, this);
     return false;
   }
-  const QByteArray data = file.readAll();
+  const QByteArray content = file.readAll();
   FinishChoice choice;
-  const auto* first = reinterpret_cast<const Bytes::value_type*>(data.constData());
-  choice.asset = std::make_shared<const Bytes>(first, first + data.size());
+  const auto* first = reinterpret_cast<const Bytes::value_type*>(content.constData());
+  choice.asset = std::make_shared<const Bytes>(first, first + content.size());
   choice.assetName = freeName(assets_.get(), QFileInfo(path));
   choice.finish = mixed_ ? Finish{} : finish_;
   choice.finish.color.reset();
@@ -225,6 +226,7 @@ void MaterialPicker::paintEvent(QPaintEvent*) {
     else if (!f.material.empty())
       picture = MaterialSwatches::shared().material(f.material);
     if (f.color) colour = toQt(*f.color);
+    if (f.empty() && !plainMaterial_.empty()) picture = MaterialSwatches::shared().material(plainMaterial_);
     if (f.empty() && plainColor_) colour = toQt(*plainColor_);
   }
   if (picture.isNull()) {
@@ -232,8 +234,9 @@ void MaterialPicker::paintEvent(QPaintEvent*) {
   } else {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const double share = static_cast<double>(box.height()) / box.width();
-    painter.drawPixmap(QRectF(box), picture,
-                       QRectF(0, picture.height() * (1 - share) / 2, picture.width(), picture.height() * share));
+    painter.drawPixmap(
+        QRectF(box), picture,
+        QRectF(0, picture.height() * (1 - share) / 2, picture.width(), picture.height() * share));
     if (colour) {
       painter.setCompositionMode(QPainter::CompositionMode_Multiply);
       painter.fillRect(box, *colour);

@@ -37,8 +37,8 @@ class MaterialPicker : public QToolButton {
   void setFinish(const Finish& finish, std::shared_ptr<const Assets> assets = {});
   void setMixed();
   bool mixed() const { return mixed_; }
-  // How the face looks with an empty finish: words ("As it comes"), and perhaps a colour.
-  void setPlain(const QString& words, std::optional<Color> color = {});
+  // How the face looks with an empty finish: words ("As it comes"), and perhaps a colour or a material.
+  void setPlain(const QString& words, std::optional<Color> color = {}, const std::string& material = {});
   void setLanguage(const std::string& language);
   void setUnit(LengthUnit unit);
   QString words() const;  // "Oak", "Oak, tinted", "#a0b0c0", "brick.jpg"
@@ -70,6 +70,7 @@ class MaterialPicker : public QToolButton {
   std::shared_ptr<const Assets> assets_;
   QString plainWords_;
   std::optional<Color> plainColor_;
+  std::string plainMaterial_;
   std::string language_ = "en";
   LengthUnit unit_ = LengthUnit::Centimetre;
   QString problem_;

@@ -91,13 +91,19 @@ bool holdsWords(const QString& text, const QString& query) {
 
 QString MaterialPopup::groupName(const std::string& group) {
   static const std::map<std::string, const char*> kNames{
-      {"wood", QT_TRANSLATE_NOOP("idap", "Wood")},     {"lacquer", QT_TRANSLATE_NOOP("idap", "Lacquer")},
-      {"paint", QT_TRANSLATE_NOOP("idap", "Paint")},   {"metal", QT_TRANSLATE_NOOP("idap", "Metal")},
-      {"glass", QT_TRANSLATE_NOOP("idap", "Glass")},   {"fabric", QT_TRANSLATE_NOOP("idap", "Fabric")},
-      {"floor", QT_TRANSLATE_NOOP("idap", "Floor")},   {"stone", QT_TRANSLATE_NOOP("idap", "Stone")},
+      {"wood", QT_TRANSLATE_NOOP("idap", "Wood")},
+      {"lacquer", QT_TRANSLATE_NOOP("idap", "Lacquer")},
+      {"paint", QT_TRANSLATE_NOOP("idap", "Paint")},
+      {"metal", QT_TRANSLATE_NOOP("idap", "Metal")},
+      {"glass", QT_TRANSLATE_NOOP("idap", "Glass")},
+      {"fabric", QT_TRANSLATE_NOOP("idap", "Fabric")},
+      {"floor", QT_TRANSLATE_NOOP("idap", "Floor")},
+      {"stone", QT_TRANSLATE_NOOP("idap", "Stone")},
       {"ceramic", QT_TRANSLATE_NOOP("idap", "Tiles and ceramic")},
-      {"plastic", QT_TRANSLATE_NOOP("idap", "Plastic")}, {"plant", QT_TRANSLATE_NOOP("idap", "Plants")},
-      {"light", QT_TRANSLATE_NOOP("idap", "Light")},   {"art", QT_TRANSLATE_NOOP("idap", "Pictures")}};
+      {"plastic", QT_TRANSLATE_NOOP("idap", "Plastic")},
+      {"plant", QT_TRANSLATE_NOOP("idap", "Plants")},
+      {"light", QT_TRANSLATE_NOOP("idap", "Light")},
+      {"art", QT_TRANSLATE_NOOP("idap", "Pictures")}};
   const auto at = kNames.find(group);
   return at == kNames.end() ? toQt(group) : translated(at->second);
 }
@@ -249,9 +255,8 @@ void MaterialPopup::fill(const QString& query) {
   std::map<std::string, std::vector<std::string>> members;
   for (const std::string& id : materialIds()) {
     const std::string group = materialGroup(id);
-    const QString words = toQt(materialName(id, language_)) + QLatin1Char(' ') + toQt(id) +
-                          QLatin1Char(' ') + groupName(group) + QLatin1Char(' ') +
-                          toQt(materialName(id, "en"));
+    const QString words = toQt(materialName(id, language_)) + QLatin1Char(' ') + toQt(id) + QLatin1Char(' ') +
+                          groupName(group) + QLatin1Char(' ') + toQt(materialName(id, "en"));
     if (!holdsWords(words, query)) continue;
     if (!members.contains(group)) groups.push_back(group);
     members[group].push_back(id);

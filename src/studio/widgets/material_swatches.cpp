@@ -14,8 +14,8 @@ namespace idap {
 namespace {
 
 QImage readPicture(const Bytes& bytes, int side) {
-  QByteArray data =
-      QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+  QByteArray data = QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()),
+                                            static_cast<qsizetype>(bytes.size()));
   QBuffer buffer(&data);
   QImageReader reader(&buffer);
   reader.setAutoTransform(true);
@@ -139,7 +139,8 @@ void MaterialSwatches::take() {
   if (materials.empty() && pictures.empty()) return;  // an earlier call took them all
   for (const auto& [id, image] : materials) materials_[id] = QPixmap::fromImage(image);
   for (const auto& [file, image] : pictures)
-    if (const auto at = pictures_.find(file); at != pictures_.end()) at->second.second = QPixmap::fromImage(image);
+    if (const auto at = pictures_.find(file); at != pictures_.end())
+      at->second.second = QPixmap::fromImage(image);
   emit ready();
 }
 

@@ -168,6 +168,8 @@ QSize TextArea::sizeHint() const {
           static_cast<int>(std::ceil(lines_ * fontMetrics().lineSpacing() + margins))};
 }
 
-QSize TextArea::minimumSizeHint() const { return {fontMetrics().averageCharWidth() * 8, sizeHint().height()}; }
+QSize TextArea::minimumSizeHint() const {
+  return {fontMetrics().averageCharWidth() * 8, sizeHint().height()};
+}
 
 }  // namespace idap

@@ -40,9 +40,9 @@ class ValueField : public QLineEdit {
   QSize minimumSizeHint() const override;
 
  signals:
-  void valueChanged(double value);  // by the user: once a change, when it is applied
-  void cleared();                   // by the user: none, where that is possible
-  void valueTyped(double value);    // while typing, whenever it can be understood; not applied yet
+  void valueChanged(double value);   // by the user: once a change, when it is applied
+  void cleared();                    // by the user: none, where that is possible
+  void valueTyped(double value);     // while typing, whenever it can be understood; not applied yet
   void valueStepping(double value);  // while the wheel or an arrow key turns it; valueChanged() follows
 
  protected:

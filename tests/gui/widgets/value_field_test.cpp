@@ -189,6 +189,7 @@ TEST_F(ValueFieldTest, OptionalValuesCanBeEmptied) {
 TEST(NumberFieldTest, ReadsSumsWithAndWithoutItsUnit) {
   NumberField field(nullptr, " lm", 0);
   QSignalSpy changed(&field, &ValueField::valueChanged);
+  field.selectAll();
   QTest::keyClicks(&field, "400*2");
   QTest::keyClick(&field, Qt::Key_Return);
   EXPECT_EQ(field.text(), "800 lm");
@@ -206,6 +207,7 @@ TEST(NumberFieldTest, ReadsSumsWithAndWithoutItsUnit) {
 
 TEST(NumberFieldTest, AnglesAreDegrees) {
   AngleField field;
+  field.selectAll();
   QTest::keyClicks(&field, "90-15°");
   QTest::keyClick(&field, Qt::Key_Return);
   EXPECT_DOUBLE_EQ(field.value(), 75);
