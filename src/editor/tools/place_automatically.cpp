@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kFromSelected = 0.3;  // merit lost a metre away from what is selected,
 constexpr double kFromPointer = 0.05;  // or from where the pointer was
-constexpr double kBeforeIt = 0.6;      // m in front of a piece that one needs to use it
 constexpr double kNoAccess = 1.2;      // merit lost where that is taken,
 constexpr double kOnWay = 4;           // where it stands in a door's way,
 constexpr double kOnWindow = 2;        // or covers a window
@@ -29,6 +28,7 @@ struct Search {
   double perMetre;     // merit lost a metre away from there
   FurnitureId chosen;  // the selected piece: things go onto it, beside it
   bool doorsMatter;
+  std::string words;  // of the piece
 };
 
 // How good a place is with all that is in the room; none where it cannot be.
@@ -46,7 +46,7 @@ std::optional<double> judged(const Search& search, const Spot& spot) {
   if (search.manner == Manner::AtWindow) {
     // What stands under the window is behind the curtain, or is moved; another curtain is not.
     for (const RoomSpace::Standing& other : room.furniture)
-      if (mannerOf(*other.piece) == Manner::AtWindow && overlaps(corners, other.corners)) return std::nullopt;
+      if (other.manner == Manner::AtWindow && overlaps(corners, other.corners)) return std::nullopt;
   } else if (on ? !room.freeOnTop(corners, low, high, spot.on)
                 : search.manner != Manner::Floor && !room.free(corners, low, high, spot.on))
     return std::nullopt;
@@ -61,35 +61,26 @@ std::optional<double> judged(const Search& search, const Spot& spot) {
       merit -= kOnWindow;
     }
     // Flames under curtains; hands in water with a view.
-    if (says(piece, "hob stove cooker") && room.coversWindow(corners, 0, 1.6)) merit -= 1;
-    if (says(piece, "sink") && room.coversWindow(corners, 0.95, 1.6))
+    if (says(search.words, "hob stove cooker") && room.coversWindow(corners, 0, 1.6)) merit -= 1;
+    if (says(search.words, "sink") && room.coversWindow(corners, 0.95, 1.6))
       merit += 0.7 + (high > 1 ? kOnWindow : 0);
   }
   const bool used = search.manner == Manner::Bed || search.manner == Manner::Sofa ||
                     search.manner == Manner::Screen || search.manner == Manner::Desk ||
                     search.manner == Manner::Storage;
   if (used) {
-    const Vec2 front = rotated(Vec2{0, -1}, spot.angle);
-    const Vec2 middle = spot.middle + front * ((piece.size.y + kBeforeIt) / 2);
-    const Corners before = rectangle(middle, {piece.size.x * 0.9, kBeforeIt}, spot.angle);
+    const Corners before = placeBefore(spot.middle, piece.size, spot.angle);
     if (!room.holds(before) || !room.free(before, 0.1, 1.5)) merit -= kNoAccess;
     // Nor may it stand where another one is to be used from.
-    for (const RoomSpace::Standing& other : room.furniture) {
-      const Manner its = mannerOf(*other.piece);
-      if (its != Manner::Storage && its != Manner::Desk && its != Manner::Screen) continue;
-      const Vec2 out = rotated(Vec2{0, -1}, other.piece->angle);
-      const Vec2 at = Vec2{other.piece->position.x, other.piece->position.y} +
-                      out * ((other.piece->size.y + kBeforeIt) / 2);
-      if (overlaps(corners, rectangle(at, {other.piece->size.x * 0.9, kBeforeIt}, other.piece->angle)))
-        merit -= kNoAccess;
-    }
+    for (const RoomSpace::Standing& other : room.furniture)
+      if (other.before && overlaps(corners, *other.before)) merit -= kNoAccess;
   }
   if (search.manner == Manner::Screen || search.manner == Manner::Sofa) {
     // A sofa and what is watched from it look at each other.
     const Manner partner = search.manner == Manner::Screen ? Manner::Sofa : Manner::Screen;
     const Vec2 front = rotated(Vec2{0, -1}, spot.angle);
     for (const RoomSpace::Standing& other : room.furniture) {
-      if (mannerOf(*other.piece) != partner || other.piece->size.x < 1) continue;
+      if (other.manner != partner || other.piece->size.x < 1) continue;
       const Vec2 by = Vec2{other.piece->position.x, other.piece->position.y} - spot.middle;
       const Vec2 its = rotated(Vec2{0, -1}, other.piece->angle);
       if (dot(front, its) < -0.9 && dot(by, front) > 1) merit += 1.5 - 0.5 * std::abs(cross(front, by));
@@ -129,7 +120,7 @@ std::optional<Spot> best(const Search& search, const std::vector<Spot>& spots) {
 std::vector<Spot> spotsAtCeiling(const RoomSpace& room, const Furniture& piece) {
   std::vector<Spot> spots = spotsAllOver(room, piece);
   for (const RoomSpace::Standing& other : room.furniture) {
-    if (piece.size.z < 0.5 || mannerOf(*other.piece) != Manner::Table) continue;
+    if (piece.size.z < 0.5 || other.manner != Manner::Table) continue;
     Spot over;
     over.middle = {other.piece->position.x, other.piece->position.y};
     over.angle = other.piece->angle;
@@ -241,7 +232,8 @@ bool placeAutomatically(Editor& editor, const CatalogPiece& piece, std::optional
   FurnitureId chosen;
   if (const auto one = single(editor.selection()); one && std::holds_alternative<FurnitureId>(*one))
     chosen = std::get<FurnitureId>(*one);
-  const std::optional<Spot> spot = find({room, ready, mannerOf(piece), near, perMetre, chosen, true}, piece);
+  const std::optional<Spot> spot =
+      find({room, ready, mannerOf(piece), near, perMetre, chosen, true, wordsOf(piece)}, piece);
   if (spot) {
     ready.position = {spot->middle.x, spot->middle.y, spot->z};
     ready.angle = std::abs(spot->angle) < 1e-12 ? 0 : spot->angle;

@@ -30,11 +30,13 @@ enum class Manner {
 Manner mannerOf(const CatalogPiece& piece);
 Manner mannerOf(const Furniture& piece);
 
-// True when one of the words (separated by blanks) stands in the piece's name, id or tags.
-bool says(const CatalogPiece& piece, const char* words);
-bool says(const Furniture& piece, const char* words);
+// The piece's name and id (and tags) in lower case between blanks, to ask says().
+std::string wordsOf(const CatalogPiece& piece);
+std::string wordsOf(const Furniture& piece);
+// True when one of the wanted words (separated by blanks) is among them.
+bool says(const std::string& words, const char* wanted);
 
 // Things can be put on it, at this height above its base; 0: they cannot.
-double topOf(const Furniture& piece);
+double topOf(const Furniture& piece, Manner manner, const std::string& words);
 
 }  // namespace idap

@@ -35,6 +35,20 @@ bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return ab1 * ab2 < 0 && cd1 * cd2 < 0;
 }
 
+Box2 boxOf(const Corners& corners) {
+  Box2 box;
+  for (const Vec2 p : corners) box.add(p);
+  return box;
+}
+
+RoomSpace::Standing standing(FurnitureId id, const Furniture& piece) {
+  const Corners corners = footprint(piece);
+  RoomSpace::Standing made{id, &piece, corners, boxOf(corners), mannerOf(piece), wordsOf(piece), {}};
+  if (made.manner == Manner::Storage || made.manner == Manner::Desk || made.manner == Manner::Screen)
+    made.before = placeBefore({piece.position.x, piece.position.y}, piece.size, piece.angle);
+  return made;
+}
+
 RoomSpace::Hole hole(OpeningId id, const Opening& opening) {
   const bool way = opening.kind != OpeningKind::Window || opening.position.z < 0.2;
   double reach = way ? kPassage : kWindowDepth;
@@ -52,6 +66,11 @@ RoomSpace::Hole hole(OpeningId id, const Opening& opening) {
 Corners rectangle(Vec2 middle, Vec2 size, double angle) {
   const Vec2 right = rotated(Vec2{size.x / 2, 0}, angle), back = rotated(Vec2{0, size.y / 2}, angle);
   return {middle - right - back, middle + right - back, middle + right + back, middle - right + back};
+}
+
+Corners placeBefore(Vec2 middle, Vec3 size, double angle) {
+  const Vec2 front = rotated(Vec2{0, -1}, angle);
+  return rectangle(middle + front * ((size.y + kBeforeIt) / 2), {size.x * 0.9, kBeforeIt}, angle);
 }
 
 bool overlaps(const Corners& a, const Corners& b) { return !separated(a, b) && !separated(b, a); }
@@ -73,8 +92,9 @@ bool RoomSpace::holds(const Corners& corners) const {
 }
 
 bool RoomSpace::free(const Corners& corners, double low, double high, FurnitureId except) const {
+  const Box2 box = boxOf(corners);
   for (const Standing& other : furniture) {
-    if (other.id == except || other.piece->size.z < kFlat) continue;
+    if (!box.overlaps(other.box) || other.id == except || other.piece->size.z < kFlat) continue;
     const double z = other.piece->position.z;
     if (z >= high - 1e-6 || z + other.piece->size.z <= low + 1e-6) continue;
     if (overlaps(corners, other.corners)) return false;
@@ -84,7 +104,9 @@ bool RoomSpace::free(const Corners& corners, double low, double high, FurnitureI
 }
 
 bool RoomSpace::freeOnTop(const Corners& corners, double low, double high, FurnitureId table) const {
+  const Box2 box = boxOf(corners);
   return std::none_of(furniture.begin(), furniture.end(), [&](const Standing& other) {
+    if (!box.overlaps(other.box)) return false;
     const double z = other.piece->position.z;
     return other.id != table && z > low - 0.1 && z < high && z + other.piece->size.z > low + 1e-6 &&
            overlaps(corners, other.corners);
@@ -139,9 +161,13 @@ RoomSpace roomSpace(const Home& home, LevelId level, std::optional<Vec2> near) {
   }
   if (signedArea(space.area) < 0) std::reverse(space.area.begin(), space.area.end());
 
+  constexpr double kAround = 1;  // m
+  Box2 surroundings = bounds(space.area);
+  surroundings.add(surroundings.min - Vec2{kAround, kAround});
+  surroundings.add(surroundings.max + Vec2{kAround, kAround});
   for (const auto& [id, piece] : home.furniture)
-    if (piece->level == level && isShown(home, *piece))
-      space.furniture.push_back({id, piece.get(), footprint(*piece)});
+    if (piece->level == level && surroundings.overlaps(boxOf(footprint(*piece))) && isShown(home, *piece))
+      space.furniture.push_back(standing(id, *piece));
   for (const auto& [id, opening] : home.openings)
     if (opening->level == level) space.openings.push_back(hole(id, *opening));
   for (const auto& [id, wall] : home.walls) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/editor.h"
+#include "editor/tools/arrange/manner.h"
 
 namespace idap {
 
@@ -13,6 +14,9 @@ using Corners = std::array<Vec2, 4>;  // of a rectangle at any angle, counter-cl
 
 // They share more than a centimetre of each other.
 bool overlaps(const Corners& a, const Corners& b);
+inline constexpr double kBeforeIt = 0.6;  // m in front of a piece that one needs to use it
+// The place before a piece.
+Corners placeBefore(Vec2 middle, Vec3 size, double angle);
 // A rectangle from its middle, size and angle.
 Corners rectangle(Vec2 middle, Vec2 size, double angle);
 
@@ -25,8 +29,12 @@ struct RoomSpace {
     FurnitureId id;
     const Furniture* piece;
     Corners corners;
+    Box2 box;
+    Manner manner;
+    std::string words;              // of its name and id
+    std::optional<Corners> before;  // where somebody stands who opens or uses it
   };
-  std::vector<Standing> furniture;  // of the level, shown
+  std::vector<Standing> furniture;  // of the level, shown, in or near the area
   struct Hole {
     OpeningId id;
     const Opening* opening;

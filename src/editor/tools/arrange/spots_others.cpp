@@ -28,9 +28,9 @@ void besideBed(std::vector<Spot>& spots, const RoomSpace::Standing& bed, const F
 }
 
 void onTop(std::vector<Spot>& spots, const RoomSpace::Standing& support, const Furniture& piece,
-           const CatalogPiece& catalog) {
+           const std::string& words) {
   const Furniture& table = *support.piece;
-  const double top = topOf(table);
+  const double top = topOf(table, support.manner, support.words);
   if (top <= 0 || piece.size.x > table.size.x * 1.3 || piece.size.y > table.size.y * 1.1) return;
   double merit = 0;
   const struct {
@@ -42,7 +42,7 @@ void onTop(std::vector<Spot>& spots, const RoomSpace::Standing& support, const F
                 {"bowl tulip daisies candle", "dining table"},
                 {"vase", "sideboard table dresser"}};
   for (const auto& pair : kPairs)
-    if (says(catalog, pair.thing) && says(table, pair.place)) merit += 1.5;
+    if (says(words, pair.thing) && says(support.words, pair.place)) merit += 1.5;
   // A shade at eye height belongs on something low.
   merit -= 0.3 * std::abs(table.position.z + top - 0.65);
   const double z = table.position.z + top;
@@ -55,9 +55,9 @@ void onTop(std::vector<Spot>& spots, const RoomSpace::Standing& support, const F
   };
   // Screens stand back, what hands are on lies in front, and a lamp lights from the side.
   double bestX = 0, bestY = 0;
-  if (says(catalog, "laptop")) bestY = -0.5;
-  if (says(catalog, "monitor")) bestY = 0.8;
-  if (says(catalog, "lamp") && table.size.x > 0.8) bestX = -1, bestY = 1;
+  if (says(words, "laptop")) bestY = -0.5;
+  if (says(words, "monitor")) bestY = 0.8;
+  if (says(words, "lamp") && table.size.x > 0.8) bestX = -1, bestY = 1;
   for (const double u : {0.0, -1.0, 1.0, -0.5, 0.5})
     for (const double v : {0.0, -0.5, 0.8, 1.0, -1.0})
       add({u * x, v * y}, 0.05 * std::abs(u - bestX) + 0.06 * std::abs(v - bestY));
@@ -65,7 +65,7 @@ void onTop(std::vector<Spot>& spots, const RoomSpace::Standing& support, const F
 
 // On the wall above what it belongs to, in the middle or flush with a side.
 void above(std::vector<Spot>& spots, const RoomSpace& room, const RoomSpace::Standing& other,
-           const Furniture& piece, const CatalogPiece& catalog) {
+           const Furniture& piece, const std::string& words) {
   const Vec2 behind =
       middleOf(*other.piece) + rotated(Vec2{0, other.piece->size.y / 2 + 0.03}, other.piece->angle);
   if (contains(room.area, behind)) return;  // no wall there
@@ -79,7 +79,7 @@ void above(std::vector<Spot>& spots, const RoomSpace& room, const RoomSpace::Sta
                 {"picture painting frame art", "sofa bed sideboard", 0.6}};
   double merit = 0;
   for (const auto& pair : kPairs)
-    if (says(catalog, pair.thing) && says(*other.piece, pair.place)) merit = std::max(merit, pair.merit);
+    if (says(words, pair.thing) && says(other.words, pair.place)) merit = std::max(merit, pair.merit);
   if (merit <= 0 || other.piece->position.z > piece.position.z) return;
   const double y = (other.piece->size.y - piece.size.y) / 2;
   const double flush = std::abs(other.piece->size.x - piece.size.x) / 2;
@@ -88,10 +88,11 @@ void above(std::vector<Spot>& spots, const RoomSpace& room, const RoomSpace::Sta
     spots.push_back(beside(other, {x, y}, 0, piece.position.z, merit - 0.1));
 }
 
-void atTable(std::vector<Spot>& spots, const RoomSpace::Standing& at, const Furniture& piece) {
+void atTable(std::vector<Spot>& spots, const RoomSpace::Standing& at, const Furniture& piece,
+             const std::string& words) {
   const Furniture& table = *at.piece;
-  const Manner manner = mannerOf(table);
-  const bool stool = piece.size.z > 0.65 && piece.size.y < 0.5 && says(piece, "bar");
+  const Manner manner = at.manner;
+  const bool stool = piece.size.z > 0.65 && piece.size.y < 0.5 && says(words, "bar");
   if (stool != (table.size.z > 0.85 && manner == Manner::Table)) return;
   const double tuck = 0.4 * piece.size.y;  // pushed under so far
   const double front = (table.size.y + piece.size.y) / 2 - tuck;
@@ -146,14 +147,16 @@ void atWindow(std::vector<Spot>& spots, const RoomSpace& room, const Furniture& 
 
 std::vector<Spot> spotsByOthers(const RoomSpace& room, const Furniture& piece, const CatalogPiece& catalog,
                                 Manner manner) {
+  const std::string words = wordsOf(catalog);
   std::vector<Spot> spots;
   if (manner == Manner::AtWindow) atWindow(spots, room, piece);
   for (const RoomSpace::Standing& other : room.furniture) {
-    const Manner its = mannerOf(*other.piece);
+    const Manner its = other.manner;
     if (manner == Manner::BesideBed && its == Manner::Bed) besideBed(spots, other, piece);
-    if (manner == Manner::OnWall) above(spots, room, other, piece, catalog);
-    if (manner == Manner::OnTop) onTop(spots, other, piece, catalog);
-    if (manner == Manner::Seat && (its == Manner::Table || its == Manner::Desk)) atTable(spots, other, piece);
+    if (manner == Manner::OnWall) above(spots, room, other, piece, words);
+    if (manner == Manner::OnTop) onTop(spots, other, piece, words);
+    if (manner == Manner::Seat && (its == Manner::Table || its == Manner::Desk))
+      atTable(spots, other, piece, words);
     if (manner == Manner::LowTable && its == Manner::Sofa) beforeSofa(spots, other, piece);
   }
   return spots;
