@@ -18,13 +18,15 @@ bool canDistribute(const Editor& editor) { return pieces(editor.selection()) >= 
 
 template <Alignment alignment>
 void align(Editor& editor) {
-  editor.apply(QT_TRANSLATE_NOOP("idap", "Align"),
-               [&](const Home& home) { return alignElements(home, editor.selection(), alignment); });
+  editor.apply(QT_TRANSLATE_NOOP("idap", "Align"), [&](const Home& home) {
+    return followed(editor, home, alignElements(home, editor.selection(), alignment));
+  });
 }
 template <bool horizontally>
 void distribute(Editor& editor) {
-  editor.apply(QT_TRANSLATE_NOOP("idap", "Distribute"),
-               [&](const Home& home) { return distributeElements(home, editor.selection(), horizontally); });
+  editor.apply(QT_TRANSLATE_NOOP("idap", "Distribute"), [&](const Home& home) {
+    return followed(editor, home, distributeElements(home, editor.selection(), horizontally));
+  });
 }
 
 constexpr const char* kAlign = QT_TRANSLATE_NOOP("idap", "Align");

@@ -1,9 +1,13 @@
 #include "editor/commands/command.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "editor/commands/command_list.h"
+#include "model/diff.h"
+#include "model/edits/piece_edits.h"
+#include "model/edits/wall_shape_edits.h"
 #include "model/visibility.h"
 
 namespace idap {
@@ -61,6 +65,19 @@ Elements openingsInWalls(const Home& home, const Elements& selection) {
         std::find(selection.walls.begin(), selection.walls.end(), opening->wall) == selection.walls.end())
       held.openings.push_back(id);
   return held;
+}
+
+Home followed(const Editor& editor, const Home& before, Home after) {
+  const Changes<WallId> walls = diff(before, after).walls;
+  std::set<LevelId> levels;
+  const auto gather = [&levels](const Home& home, const std::vector<WallId>& ids) {
+    for (const WallId id : ids) levels.insert(home.walls.find(id)->level);
+  };
+  gather(after, walls.added);
+  gather(after, walls.changed);
+  gather(before, walls.removed);
+  for (const LevelId level : levels) after = followWalls(before, after, level, editor.settings().roomAreas);
+  return dimensionsFollow(before, after);
 }
 
 std::string newName(const Editor& editor, NewName what, int number) {

@@ -29,6 +29,9 @@ Elements withoutBase(Elements elements);
 // Openings of the selection in walls that are not selected: these keep to their wall.
 Elements openingsInWalls(const Home& home, const Elements& selection);
 
+// After an edit: rooms between the walls that changed, and dimensions of what moved, follow.
+Home followed(const Editor& editor, const Home& before, Home after);
+
 // The name of what a command makes, in the language of the user's names; they become part of the home.
 enum class NewName { Level, Group };
 std::string newName(const Editor& editor, NewName what, int number = 0);

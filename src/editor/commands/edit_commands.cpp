@@ -24,8 +24,9 @@ void deleteSelected(Editor& editor) {
   const Elements gone = changeable(editor);
   if (empty(gone)) return;
   const std::size_t kept = count(editor.selection()) - count(gone);
-  const bool done = editor.apply(QT_TRANSLATE_NOOP("idap", "Delete"),
-                                 [&gone](const Home& home) { return deleteElements(home, gone); });
+  const bool done = editor.apply(QT_TRANSLATE_NOOP("idap", "Delete"), [&](const Home& home) {
+    return followed(editor, home, deleteElements(home, gone));
+  });
   if (done && kept > 0)
     editor.say({QT_TRANSLATE_NOOP("idap", "Locked, and therefore still there: %1"), {std::to_string(kept)}});
 }
@@ -50,7 +51,7 @@ void duplicate(Editor& editor) {
     const Elements& originals = editor.selection();
     CopyEdit edit = duplicateElements(home, originals, duplicateStep(home, originals));
     copies = std::move(edit.copies);
-    return std::move(edit.home);
+    return followed(editor, home, std::move(edit.home));
   });
   if (done) editor.select(std::move(copies));
 }
@@ -64,13 +65,14 @@ void rotate(Editor& editor, double angle) {
         home, held, [](Piece& piece) { piece.angle = std::remainder(piece.angle + kPi, 2 * kPi); });
     if (empty(chosen)) return next;
     const Vec3 middle = bounds(home, chosen).centre();
-    return turnElements(next, chosen, {middle.x, middle.y}, angle);
+    return followed(editor, home, turnElements(next, chosen, {middle.x, middle.y}, angle));
   });
 }
 
 void mirror(Editor& editor) {
-  editor.apply(QT_TRANSLATE_NOOP("idap", "Mirror"),
-               [&](const Home& home) { return mirrorElements(home, changeable(editor)); });
+  editor.apply(QT_TRANSLATE_NOOP("idap", "Mirror"), [&](const Home& home) {
+    return followed(editor, home, mirrorElements(home, changeable(editor)));
+  });
 }
 
 }  // namespace

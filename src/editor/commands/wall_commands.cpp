@@ -29,16 +29,11 @@ bool anyWallOnLevel(const Editor& editor) {
                      [&](const auto& entry) { return entry.second->level == editor.level(); });
 }
 
-// After a change of walls the rooms between them are what they were before, in their new shape.
-Home withRooms(const Editor& editor, const Home& before, Home after) {
-  return followWalls(before, after, editor.level(), editor.settings().roomAreas);
-}
-
 void join(Editor& editor) {
   if (!twoWalls(editor)) return;
   const std::vector<WallId> pair = walls(editor);
   editor.apply(QT_TRANSLATE_NOOP("idap", "Join walls"),
-               [&](const Home& home) { return withRooms(editor, home, joinWalls(home, pair[0], pair[1])); });
+               [&](const Home& home) { return followed(editor, home, joinWalls(home, pair[0], pair[1])); });
 }
 
 void split(Editor& editor) {
@@ -68,13 +63,14 @@ void straighten(Editor& editor) {
       const Wall& wall = *next.walls.find(id);
       next = bendWall(next, id, (wall.start + wall.end) / 2);
     }
-    return withRooms(editor, home, std::move(next));
+    return followed(editor, home, std::move(next));
   });
 }
 
 void wallsAround(Editor& editor) {
   const EditorSettings& settings = editor.settings();
-  editor.apply(QT_TRANSLATE_NOOP("idap", "Walls around room"), [&](Home home) {
+  editor.apply(QT_TRANSLATE_NOOP("idap", "Walls around room"), [&](const Home& before) {
+    Home home = before;
     for (const RoomId id : editor.selection().rooms) {
       const Room* room = home.rooms.find(id);
       const double height =

@@ -158,6 +158,30 @@ TEST_F(Commands, DeleteLeavesWhatIsLocked) {
   EXPECT_TRUE(home().furniture.empty());
 }
 
+TEST_F(Commands, RoomsAndDimensionsFollow) {
+  RoomEdit room = addRoomAt(test::smallFlat(), {}, {1, 1});
+  // A stub of a wall in the room, which its floor leaves out until it is deleted.
+  const WallEdit stub = addWall(room.home, test::wall({0, 3}, {1, 3}));
+  room.home = addRoomAt(deleteElements(stub.home, Elements{.rooms = {room.room}}), {}, {1, 1}).home;
+  Dimension dimension;
+  dimension.start = {0.8, 1.6};
+  dimension.end = {2.2, 1.6};
+  room.home.dimensions.set(room.home.newId<DimensionId>(), dimension);
+  open(room.home);
+  const double area = floorArea(*home().rooms.begin()->second);
+  Elements chosen;
+  chosen.walls = {stub.wall};
+  editor.select(chosen);
+  run("delete");
+  EXPECT_NEAR(floorArea(*home().rooms.begin()->second), area + 0.9 * 0.2, 1e-6);
+  chosen = {};
+  chosen.groups = {kDining};
+  chosen.openings = {kWindow};
+  editor.select(chosen);
+  run("align-centre");
+  EXPECT_NEAR(home().dimensions.begin()->second->start.x, 3.8, 1e-9);
+}
+
 TEST_F(Commands, DuplicateSelectsTheCopies) {
   open(test::smallFlat());
   Elements chosen;
