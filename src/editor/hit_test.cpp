@@ -1,6 +1,8 @@
 #include "editor/hit_test.h"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "editor/hit_test_shapes.h"
 
@@ -31,7 +33,9 @@ Vec3 middle(const Piece& piece, double elevation) {
 class HitTest {
  public:
   HitTest(const Editor& editor, Plane plane)
-      : editor_(editor), home_(editor.home()), plane_(plane), floor_(editor.elevation()) {}
+      : editor_(editor), home_(editor.home()), plane_(plane), floor_(editor.elevation()) {
+    if (plane != Plane::XY) section_ = sectionNearness(home_, editor.level(), plane);
+  }
 
   std::vector<Hit> at(Vec2 p, double tolerance) const {
     std::vector<Hit> hits;
@@ -77,7 +81,10 @@ class HitTest {
       const double order = plane_ == Plane::XY ? std::log2(std::max(signedArea(shape), 1e-6)) -
                                                      1.5 * (piece->position.z + piece->size.z)
                                                : -nearness(plane_, piece->position) - depth(*piece) / 2;
-      hits.push_back({id, Rank::Body, order});
+      // From the side, what is in the walls before the section is only outlined: others show through.
+      const bool open = std::is_same_v<Pieces, Table<OpeningId, Opening>> && plane_ != Plane::XY &&
+                        nearness(plane_, piece->position) > section_;
+      hits.push_back({id, open ? Rank::Wall : Rank::Body, order});
     }
   }
   void openingsAt(Vec2 p, double tolerance, std::vector<Hit>& hits) const {
@@ -102,9 +109,16 @@ class HitTest {
       const double off = plane_ == Plane::XY ? length(centre - p)
                                              : std::abs((plane_ == Plane::XZ ? centre.x : centre.y) - p.x);
       if (off > near) continue;
-      if (covers(outline(plane_, home_, id, *wall), p, tolerance))
-        hits.push_back(
-            {id, Rank::Wall, plane_ == Plane::XY ? 0 : -nearness(plane_, Vec3{centre.x, centre.y, 0})});
+      const Polygon shape = outline(plane_, home_, id, *wall);
+      if (plane_ == Plane::XY) {
+        if (covers(shape, p, tolerance)) hits.push_back({id, Rank::Wall, 0});
+        continue;
+      }
+      const double far = std::min(nearness(plane_, Vec3{wall->start.x, wall->start.y, 0}),
+                                  nearness(plane_, Vec3{wall->end.x, wall->end.y, 0}));
+      const bool hit =
+          far > section_ ? distanceToPath(shape, true, p) <= tolerance : covers(shape, p, tolerance);
+      if (hit) hits.push_back({id, Rank::Wall, -nearness(plane_, Vec3{centre.x, centre.y, 0})});
     }
   }
 
@@ -136,10 +150,11 @@ class HitTest {
 
   void camerasAt(Vec2 p, double tolerance, std::vector<Hit>& hits) const {
     for (const auto& [id, camera] : home_.cameras) {
+      // The body is drawn as large at any scale.
       const double away = length(project(plane_, camera->eye) - p);
-      if (away <= std::max(kCameraBody / 2, tolerance))
+      if (away <= std::max(2.4 * tolerance, 0.1))
         hits.push_back({id, Rank::Thin, 0});
-      else if (away <= 2 * kCameraReach && contains(cameraCone(plane_, *camera), p))
+      else if (away <= 2 * kCameraCone && contains(cameraCone(plane_, *camera), p))
         hits.push_back({id, Rank::Cone, away});
     }
   }
@@ -148,6 +163,7 @@ class HitTest {
   const Home& home_;
   Plane plane_;
   double floor_;
+  double section_ = 0;
 };
 
 bool inside(const Box2& box, Vec2 p) {

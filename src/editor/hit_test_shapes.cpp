@@ -1,19 +1,24 @@
 #include "editor/hit_test_shapes.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "model/wall_outline.h"
 
 namespace idap {
 
 Vec2 cameraAim(Plane plane, const Camera& camera) {
-  return project(plane, camera.eye + viewDirection(camera) * kCameraReach);
+  const Vec2 flat = project(plane, viewDirection(camera)), eye = project(plane, camera.eye);
+  const double share = length(flat);
+  return share > 0.05 ? eye + flat * (kCameraCone * (0.4 + 0.6 * share) / share) : eye;
 }
 
 Polygon cameraCone(Plane plane, const Camera& camera) {
   const Vec2 eye = project(plane, camera.eye);
   const Vec2 ahead = cameraAim(plane, camera) - eye;
-  const double half = std::clamp(camera.fieldOfView, 0.02, 3.0) / 2;
+  double half = camera.fieldOfView / 2;
+  if (plane != Plane::XY) half = std::atan(std::tan(half) * 0.75);
+  half = std::clamp(half, 0.05, kPi * 0.49);
   return {eye, eye + rotated(ahead, -half), eye + rotated(ahead, half)};
 }
 
@@ -47,8 +52,7 @@ Polygon labelBox(const Label& label) {
   const double left = label.style.alignment == TextAlignment::Left    ? 0
                       : label.style.alignment == TextAlignment::Right ? -width
                                                                       : -width / 2;
-  // The first line stands on the position.
-  const double top = size, bottom = -0.3 * size - 1.2 * size * static_cast<double>(lines - 1);
+  const double top = 0.6 * size * static_cast<double>(lines), bottom = -top;
   Polygon box{{left, bottom}, {left + width, bottom}, {left + width, top}, {left, top}};
   for (Vec2& p : box) p = label.position + rotated(p, label.angle);
   return box;
@@ -65,6 +69,19 @@ Polygon outline(Plane plane, const Home& home, WallId id, const Wall& wall) {
     points.push_back(project(plane, {p.x, p.y, floor + wallHeightAt(wall, p)}));
   }
   return convexHull(std::move(points));
+}
+
+double sectionNearness(const Home& home, LevelId level, Plane plane) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& [id, wall] : home.walls) {
+    if (wall->level != level) continue;
+    for (const Vec2 p : {wall->start, wall->end}) {
+      const double near = nearness(plane, {p.x, p.y, 0});
+      low = std::min(low, near);
+      high = std::max(high, near);
+    }
+  }
+  return low <= high ? (low + high) / 2 : 0;
 }
 
 }  // namespace idap

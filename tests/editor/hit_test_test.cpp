@@ -49,6 +49,16 @@ TEST_F(HitTestOf, NearestGoesFirstFromTheSide) {
   EXPECT_EQ(at({2, 1.5}, Plane::YZ), (std::vector<AnyId>{back}));
 }
 
+TEST_F(HitTestOf, WallsInFrontOfTheSectionAreHitByTheirOutline) {
+  const std::vector<WallId> walls = test::addWalls(home_, {{0, 0}, {5, 0}, {5, 4}, {0, 4}});
+  const FurnitureId piece = put({2, 2, 0}, {1, 1, 1});
+  open();
+  EXPECT_EQ(at({2, 0.5}, Plane::XZ), (std::vector<AnyId>{piece, walls[2]}));
+  EXPECT_EQ(at({3.5, 2}, Plane::XZ), (std::vector<AnyId>{walls[2]}));  // the one at the back
+  EXPECT_EQ(at({3.5, 2.5}, Plane::XZ).front(), AnyId(walls[0]));
+  EXPECT_EQ(at({5, 1}, Plane::XZ).front(), AnyId(walls[1]));  // cut
+}
+
 TEST_F(HitTestOf, HiddenPiecesAndOtherLevelsAreNotHit) {
   const FurnitureId hidden = put({0, 0, 0}, {1, 1, 1});
   Furniture changed = *home_.furniture.find(hidden);
@@ -95,8 +105,8 @@ TEST_F(HitTestOf, AnnotationsAndCamerasGoBeforeBodies) {
   EXPECT_EQ(at({-0.9, -0.5}).front(), AnyId(dimension));
   EXPECT_EQ(at({0.1, 1.05}).front(), AnyId(label));
   EXPECT_EQ(at({0.5, 0.51}).front(), AnyId(line));
-  EXPECT_EQ(at({-1.4, 0.1}).front(), AnyId(camera));
-  EXPECT_EQ(at({-1.5, 1.2}).back(), AnyId(camera));  // its cone lies under all
+  EXPECT_EQ(at({-1.45, 0.05}).front(), AnyId(camera));
+  EXPECT_EQ(at({-1.5, 0.7}).back(), AnyId(camera));  // its cone lies under all
 }
 
 TEST_F(HitTestOf, GroupsAreHitAsOne) {

@@ -133,14 +133,14 @@ TEST_F(Points, CamerasAimAndLens) {
   camera.fieldOfView = kPi / 3;
   start.cameras.set(id, camera);
   open(id);
-  drag({0, 1.5}, {-1.2, 0.02});
+  drag({0, 0.9}, {-1.2, 0.02});
   EXPECT_NEAR(home().cameras.find(id)->yaw, kPi / 2, 1e-9);  // to the left
-  const Vec2 side = rotated(Vec2{-1.5, 0}, kPi / 6);
+  const Vec2 side = rotated(Vec2{-0.9, 0}, kPi / 6);
   drag(side, rotated(Vec2{-1.5, 0}, kPi / 4));
   EXPECT_NEAR(home().cameras.find(id)->fieldOfView, kPi / 2, 1e-9);
   plane = Plane::XZ;
   modifiers.alt = true;
-  drag({-1.5, 1.6}, {-1.5, 0.1});
+  drag({-0.9, 1.6}, {-0.9, 0.7});
   EXPECT_NEAR(home().cameras.find(id)->pitch, kPi / 4, 1e-6);
   EXPECT_NEAR(home().cameras.find(id)->yaw, kPi / 2, 1e-6);
 }

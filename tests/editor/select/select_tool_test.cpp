@@ -195,7 +195,8 @@ TEST_F(SelectToolOf, TheHintAndTheCursorSayWhatAPressWouldDo) {
   EXPECT_EQ(editor.tool().cursor(editor, Plane::XY), Cursor::SizeHorizontal);
   move({0, -1.18});
   EXPECT_EQ(editor.tool().cursor(editor, Plane::XY), Cursor::Rotate);
-  EXPECT_TRUE(std::any_of(overlay().handles.begin(), overlay().handles.end(),
+  const std::vector<Handle> handles = overlay().handles;
+  EXPECT_TRUE(std::any_of(handles.begin(), handles.end(),
                           [](const Handle& h) { return h.active && h.kind == HandleKind::Rotate; }));
   leave();
   EXPECT_EQ(editor.tool().cursor(editor, Plane::XY), Cursor::Arrow);

@@ -56,10 +56,13 @@ void CameraDrag::aimAt(Vec2 at, bool free) {
     camera_.yaw = std::remainder(stepped(std::atan2(-to.x, to.y), free), 2 * kPi);
     return;
   }
-  // What this plane does not show of the view stays as it is.
-  Vec3 view = viewDirection(was) * kCameraReach;
-  (plane() == Plane::XZ ? view.x : view.y) = to.x;
-  view.z = to.y;
+  // What this plane does not show of the view stays as it is. The handle stands off further than the view
+  // is long here, by so much the pointer counts less.
+  Vec3 view = viewDirection(was) * kCameraCone;
+  const Vec2 grip = cameraAim(plane(), was) - project(plane(), was.eye);
+  const Vec2 meant = to * (length(project(plane(), view)) / std::max(length(grip), 1e-6));
+  (plane() == Plane::XZ ? view.x : view.y) = meant.x;
+  view.z = meant.y;
   const double along = std::hypot(view.x, view.y);
   if (along > 1e-6) camera_.yaw = std::atan2(-view.x, view.y);
   camera_.pitch = std::clamp(-std::atan2(view.z, along), -kPi / 2, kPi / 2);
@@ -93,7 +96,7 @@ SelectHandles cameraHandles(const Editor& editor, Plane plane, CameraId id) {
   };
   SelectHandles handles;
   // Looking along the line of sight there is nothing to take hold of beside the body.
-  if (length(aim - eye) > kCameraBody)
+  if (!(aim == eye))
     handles.push_back(handle(HandleKind::Aim, aim, std::atan2(aim.y - eye.y, aim.x - eye.x),
                              QT_TRANSLATE_NOOP("idap", "Drag to aim the camera."), CameraDrag::What::Aim));
   if (plane != Plane::XY) return handles;

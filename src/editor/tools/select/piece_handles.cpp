@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "editor/hit_test_shapes.h"
 #include "editor/tools/select/handles.h"
 #include "editor/tools/select/moving.h"
 #include "editor/tools/select/size_drag.h"
@@ -224,7 +225,9 @@ SelectHandles labelHandles(const Editor& editor, Plane plane, double pixel, Labe
   const Label* label = editor.home().labels.find(id);
   if (!label || plane != Plane::XY) return {};
   const Vec2 up = rotated(Vec2{0, 1}, label->angle);
-  const Vec2 p = label->position + up * (label->style.size + kHandleOutside * pixel);
+  double top = 0;
+  for (const Vec2 corner : labelBox(*label)) top = std::max(top, dot(corner - label->position, up));
+  const Vec2 p = label->position + up * (top + kHandleOutside * pixel);
   return {{{HandleKind::Rotate, p, directionOf(up), false},
            Cursor::Rotate,
            kTurnTip,

@@ -73,6 +73,16 @@ Home withPoint(const Home& home, AnyId id, std::size_t at, Vec2 point) {
   return next;
 }
 
+// The floor of a room, a wall that is looked at: a drag that begins there does not mean them.
+bool isGround(const Editor& editor, Plane plane, AnyId id) {
+  if (std::holds_alternative<RoomId>(id)) return true;
+  const auto* wallId = std::get_if<WallId>(&id);
+  const Wall* wall = wallId ? editor.home().walls.find(*wallId) : nullptr;
+  if (!wall || plane == Plane::XY) return false;
+  const Vec2 along = wall->end - wall->start;
+  return std::abs(plane == Plane::XZ ? along.x : along.y) > 2 * wall->thickness;
+}
+
 const SelectHandle* handleAt(const SelectHandles& handles, const PointerEvent& event) {
   const SelectHandle* nearest = nullptr;
   double least = kHandleReach * event.pixel;
@@ -179,7 +189,7 @@ Response SelectTool::press(Editor& editor, const PointerEvent& event) {
     add(more, *grabbed_);
     editor.select(std::move(more));
     hits_.clear();  // the click has done its work
-  } else if (!selected && !event.modifiers.control && !std::holds_alternative<RoomId>(*grabbed_)) {
+  } else if (!selected && !event.modifiers.control && !isGround(editor, event.plane, *grabbed_)) {
     editor.select(only(*grabbed_));
   }
   return {};
@@ -195,7 +205,7 @@ void SelectTool::startDrag(Editor& editor) {
     return;
   }
   // A drag that begins on the floor of a room draws the rectangle, unless that room is selected.
-  if (!grabbed_ || (!contains(editor.selection(), *grabbed_) && std::holds_alternative<RoomId>(*grabbed_))) {
+  if (!grabbed_ || (!contains(editor.selection(), *grabbed_) && isGround(editor, press.plane, *grabbed_))) {
     drag_ = std::make_unique<RectangleDrag>(editor, press);
     return;
   }
