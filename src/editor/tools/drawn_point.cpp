@@ -30,6 +30,7 @@ void DrawnPoint::follow(const Editor& editor, const PointerEvent& event, const L
   snapped_ = snapPoint(editor, request, event.modifiers.alt);
   if (line.from && !event.modifiers.alt && editor.settings().snapping) roundLength(editor, event, *line.from);
   from_ = line.from;
+  along_ = line.along;
   known_ = true;
   showValues();
 }
@@ -45,8 +46,9 @@ void DrawnPoint::roundLength(const Editor& editor, const PointerEvent& event, Ve
   for (GuideLine& guide : snapped_.guides) guide.to = snapped_.at;
 }
 
-void DrawnPoint::startFrom(Vec2 from) {
+void DrawnPoint::startFrom(Vec2 from, std::optional<double> along) {
   from_ = from;
+  along_ = along;
   snapped_ = {};
   snapped_.at = from;
   fields_.clear();
@@ -66,7 +68,8 @@ Vec2 DrawnPoint::at() const {
   const std::optional<double> typedLength = fields_.value(kLength), typedAngle = fields_.value(kAngle);
   if (!typedLength && !typedAngle) return snapped_.at;
   const Vec2 by = snapped_.at - *from_;
-  const double angle = typedAngle.value_or(std::atan2(by.y, by.x));
+  const double pointed = length(by) < 1e-6 ? along_.value_or(0) : std::atan2(by.y, by.x);
+  const double angle = typedAngle.value_or(pointed);
   const Vec2 direction{std::cos(angle), std::sin(angle)};
   // Without a length the point stays beside the pointer.
   return *from_ + direction * typedLength.value_or(typedAngle ? std::abs(dot(by, direction)) : length(by));

@@ -24,8 +24,8 @@ class DrawnPoint {
     bool wallFaces = false;
   };
   void follow(const Editor& editor, const PointerEvent& event, const Line& line);
-  // A new stretch starts: what was typed is dropped.
-  void startFrom(Vec2 from);
+  // A new stretch starts: what was typed is dropped. along: where it goes while the pointer does not say.
+  void startFrom(Vec2 from, std::optional<double> along = {});
   void forget();  // nothing is drawn any more
 
   Vec2 at() const;  // m on the plane, with what was typed
@@ -48,6 +48,7 @@ class DrawnPoint {
 
   TypedFields fields_;
   std::optional<Vec2> from_;
+  std::optional<double> along_;
   SnappedPoint snapped_;
   bool known_ = false;
 };

@@ -21,7 +21,7 @@ bool OutlineTool::cancel(Editor&) {
 }
 
 void OutlineTool::follow(Editor& editor, const PointerEvent& event) {
-  pointer_ = event.at;
+  last_ = event;
   DrawnPoint::Line line;
   line.wallFaces = manner_.area;
   if (!points_.empty()) line.from = points_.back();
@@ -83,6 +83,7 @@ Response OutlineTool::key(Editor& editor, const KeyEvent& event) {
       return {};
     case TypedFields::Answer::Apply:
       place(editor);
+      if (!points_.empty()) follow(editor, last_);  // on from there to the pointer
       return {};
     case TypedFields::Answer::Unused:
       break;
@@ -93,10 +94,11 @@ Response OutlineTool::key(Editor& editor, const KeyEvent& event) {
   }
   if (event.key == Key::Backspace) {
     points_.pop_back();
+    point_.fields().clear();
     if (points_.empty())
       point_.forget();
     else
-      point_.startFrom(points_.back());
+      follow(editor, last_);
     return {};
   }
   return {.used = false};
@@ -130,7 +132,7 @@ Overlay OutlineTool::overlay(const Editor& editor, Plane plane, double pixel) co
   }
   point_.into(overlay, pixel);
   if (points_.empty()) {
-    if (point_.known()) offer(editor, pointer_, overlay);
+    if (point_.known()) offer(editor, last_.at, overlay);
     return overlay;
   }
   PreviewShape shape;

@@ -40,7 +40,7 @@ class OutlineTool : public Tool {
   Manner manner_;
   DrawnPoint point_;
   std::vector<Vec2> points_;
-  Vec2 pointer_;
+  PointerEvent last_;
   std::optional<Vec2> pressedAt_;
 };
 

@@ -190,10 +190,10 @@ class PlaceOpeningTool : public Tool {
       return std::abs(b - a) > 0.5 * length(wall.end - wall.start) && std::min(a, b) <= across &&
              across <= std::max(a, b);
     };
-    for (const WallId id :
-         {host_, single(editor.selection()) && std::holds_alternative<WallId>(*single(editor.selection()))
-                     ? std::get<WallId>(*single(editor.selection()))
-                     : WallId{}})
+    WallId selected;
+    if (const auto one = single(editor.selection()); one && std::holds_alternative<WallId>(*one))
+      selected = std::get<WallId>(*one);
+    for (const WallId id : {host_, selected})
       if (const Wall* wall = home.walls.find(id); wall && wall->level == editor.level() && seen(*wall))
         return id;
     WallId best;
@@ -288,9 +288,8 @@ class PlaceOpeningTool : public Tool {
     if (!opening_.wall) {
       editor.say(QT_TRANSLATE_NOOP("idap", "Doors and windows stand in walls: click on or beside one"),
                  Editor::Severity::Warning);
-      const bool drop_ = what_.once;
-      if (drop_) drop(editor);
-      return {.finished = drop_};
+      if (what_.once) drop(editor);
+      return {.finished = what_.once};
     }
     const OpeningId id = preview_;
     preview_ = {};

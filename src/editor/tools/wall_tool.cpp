@@ -179,6 +179,7 @@ class WallTool : public Tool {
   }
 
   void follow(Editor& editor, const PointerEvent& event) {
+    last_ = event;
     pointer_ = event.at;
     if (stage_ == Stage::Bending) {
       arc_ = arcThrough(*point_.from(), end_, event.at);
@@ -237,7 +238,11 @@ class WallTool : public Tool {
     const TypedFields& fields = point_.fields();
     const bool onlyThickness = fields.value(kThickness) && !fields.value(DrawnPoint::kLength) &&
                                !fields.value(DrawnPoint::kAngle) && !fields.value(kArc);
-    if (!onlyThickness) return place(editor);
+    if (!onlyThickness) {
+      place(editor);
+      if (stage_ == Stage::Drawing) follow(editor, last_);  // on from there to the pointer
+      return;
+    }
     if (*fields.value(kThickness) > 0) thickness_ = fields.value(kThickness);
     point_.fields().clear();
     point_.fields().activate(DrawnPoint::kLength);
@@ -279,13 +284,13 @@ class WallTool : public Tool {
   void start(Vec2 from) {
     stage_ = Stage::Drawing;
     refused_ = false;
-    point_.startFrom(from);
+    point_.startFrom(from, along_);
   }
 
   void takeBack(Editor& editor) {
     if (stage_ == Stage::Bending) {
       start(*point_.from());
-      return show(editor);
+      return follow(editor, last_);
     }
     if (chain_.empty()) return stop(editor);
     editor.document().cancel();
@@ -297,6 +302,7 @@ class WallTool : public Tool {
     const Wall* before = chain_.empty() ? nullptr : editor.home().walls.find(chain_.back());
     along_ = before ? std::optional(arrival(*before)) : std::nullopt;
     start(from);
+    follow(editor, last_);
   }
 
   void stop(Editor& editor) {
@@ -319,6 +325,7 @@ class WallTool : public Tool {
   std::vector<WallId> chain_;
   WallId preview_;
   std::optional<Vec2> pressedAt_;
+  PointerEvent last_;
   bool refused_ = false;
 };
 

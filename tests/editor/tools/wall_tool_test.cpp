@@ -35,7 +35,7 @@ TEST_F(WallTool, TakesTypedLengthsAnglesAndThickness) {
   move({1, 0.02});
   EXPECT_TRUE(type("325cm"));
   EXPECT_TRUE(key(Key::Enter));
-  expectNear(newest(home().walls).end, {3.25, 0});
+  expectNear(home().walls.begin()->second->end, {3.25, 0});
   type("2m");
   key(Key::Tab);
   type("90");
@@ -53,6 +53,31 @@ TEST_F(WallTool, TakesTypedLengthsAnglesAndThickness) {
   EXPECT_EQ(undoSteps(), 2);
 }
 
+TEST_F(WallTool, DrawsAWholeRoomFromTheKeyboard) {
+  click({0, 0});
+  move({1, 0});
+  // The pointer stays where it is: angles are typed.
+  for (const char* angle : {"0", "90", "180", "270"}) {
+    type("4m");
+    key(Key::Tab);
+    type(angle);
+    key(Key::Enter);
+  }
+  EXPECT_FALSE(document().inTransaction());
+  ASSERT_EQ(home().walls.size(), 4u);
+  ASSERT_EQ(home().rooms.size(), 1u);
+  EXPECT_NEAR(floorArea(newest(home().rooms)), 3.9 * 3.9, 1e-3);
+}
+
+TEST_F(WallTool, ALengthWithoutADirectionGoesOnStraight) {
+  click({0, 0});
+  click({0, 2});
+  type("1m");
+  key(Key::Enter);
+  key(Key::Enter);
+  expectNear(newest(home().walls).end, {0, 3});
+}
+
 TEST_F(WallTool, ReadsTheUsersUnit) {
   EditorSettings settings;
   settings.unit = LengthUnit::FeetInches;
@@ -61,6 +86,7 @@ TEST_F(WallTool, ReadsTheUsersUnit) {
   move({1, 0});
   type("10'8\"");
   key(Key::Enter);
+  rightClick({1, 0});
   EXPECT_NEAR(newest(home().walls).end.x, 3.2512, 1e-9);
 }
 
@@ -145,7 +171,7 @@ TEST_F(WallTool, BackspaceTakesTheLastWallBack) {
   click({4, 3});
   move({2, 3});
   EXPECT_TRUE(key(Key::Backspace));
-  EXPECT_EQ(home().walls.size(), 1u);
+  EXPECT_EQ(home().walls.size(), 2u) << "the first, and the second on its way again";
   move({4, 1});
   click({4, 2});
   ASSERT_EQ(home().walls.size(), 2u);
