@@ -2,6 +2,7 @@
 // design goes on, and shows the last picture until then.
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <memory>
 
@@ -21,6 +22,13 @@ class PicturePanel : public QWidget {
   void stop();
   bool busy() const;
 
+  QImage picture() const;  // the last one; null before the first
+  bool outdated() const;   // the home has changed since the picture was begun
+  // PNG or JPEG by the name, written in the background; the editor says how it went.
+  void savePicture(const QString& file);
+  // How good a picture becomes before tracing ends: samples a pixel or seconds, whichever comes first.
+  void setQuality(int samples, double seconds);
+
  signals:
   void started();
   void finished();
@@ -30,6 +38,8 @@ class PicturePanel : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void askWhereToSave();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,273 @@
+#include "studio/picture/picture_worker.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstring>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "base/platform.h"
+#include "render/accel/compiled_scene.h"
+#include "render/denoise/denoise.h"
+#include "render/film/develop.h"
+#include "render/session/pilot.h"
+#include "render/session/render_job.h"
+#include "scene/scene_builder.h"
+#include "studio/widgets/texts.h"
+
+namespace idap {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFirstSlice =
+    0.8;  // s of tracing before the picture is shown; each next one is twice as long
+constexpr double kCoarsePixels = 24000;  // of the first look
+constexpr int kCoarseSamples = 2;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// A core is left to the window.
+int threadsToUse() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+
+QImage toQImage(const Image8& image) {
+  QImage out(image.width, image.height, QImage::Format_RGB888);
+  const auto row = static_cast<std::size_t>(image.width) * 3;
+  for (int y = 0; y < image.height; ++y) std::memcpy(out.scanLine(y), image.pixel(0, y), row);
+  return out;
+}
+
+// What is asked for, and how the asker reaches it while it is made.
+struct Job {
+  PictureRequest request;
+  std::function<void()> tick;  // now and then, from the tracing threads
+  Progress progress{[this](double, std::string_view) {
+    if (tick) tick();
+  }};
+  std::atomic<bool> discarded{false};  // nobody wants the picture any more
+};
+
+// One picture from home to pixels, on the worker's thread.
+class Picture {
+ public:
+  struct Report {
+    std::function<void(QImage)> pictured;
+    std::function<void(double, double)> progressed;
+  };
+
+  Picture(Job& job, render::Denoiser& denoiser, Report report)
+      : job_(job),
+        request_(job.request),
+        denoiser_(denoiser),
+        report_(std::move(report)),
+        aspect_(static_cast<double>(request_.width) / request_.height),
+        film_(request_.width, request_.height) {}
+
+  void make() {
+    report_.progressed(0, -1);
+    build();
+    showCoarse();
+    refine();
+  }
+
+ private:
+  void build() {
+    BuildOptions options;
+    options.ceilings = request_.camera.has_value();
+    const Camera camera = request_.camera ? *request_.camera : topCamera(request_.home, aspect_);
+    options.time = camera.time;
+    built_ = buildScene(request_.home, *request_.catalog, options, job_.progress);
+    scene_.emplace(built_.scene, threadsToUse());
+    job_.progress.check();
+    view_ = toRenderCamera(camera, built_, aspect_);
+    settings_.width = request_.width;
+    settings_.height = request_.height;
+    settings_.spp = request_.samples;
+    settings_.threads = threadsToUse();
+    settings_.clampIndirect = render::clampFor(render::pilotExposure(*scene_, view_, settings_));
+    job_.progress.check();
+  }
+
+  void showCoarse() {
+    const double scale = std::sqrt(kCoarsePixels / static_cast<double>(film_.pixels()));
+    if (scale > 0.7) return;  // the real one comes as soon
+    render::RenderSettings coarse = settings_;
+    coarse.width = std::max(8, static_cast<int>(std::lround(request_.width * scale)));
+    coarse.height = std::max(8, static_cast<int>(std::lround(coarse.width / aspect_)));
+    coarse.spp = kCoarseSamples;
+    render::Film film(coarse.width, coarse.height);
+    render::render(*scene_, view_, coarse, film, job_.progress);
+    job_.progress.check();
+    show(film, true);
+  }
+
+  // Slices of doubling length, so that the cost of showing stays small beside that of tracing.
+  void refine() {
+    job_.tick = [this] { tell(); };
+    double slice = kFirstSlice, shownAt = 0;
+    for (bool last = false; !last && !job_.progress.cancelled(); slice *= 2) {
+      const double left = request_.seconds - traced_;
+      // The last slice takes the rest rather than leave a crumb.
+      settings_.timeLimitSeconds = slice * 1.5 > left ? left : slice;
+      begun_ = Clock::now();
+      render::render(*scene_, view_, settings_, film_, job_.progress);
+      traced_ += secondsSince(*begun_);
+      begun_.reset();
+      samples_ = film_.samples;
+      const bool covered = film_.samples >= 1;
+      // A slow machine goes on until every pixel has been looked at once.
+      if (!covered && traced_ >= request_.seconds) request_.seconds = 2 * traced_;
+      last = traced_ >= request_.seconds - 0.05 || film_.samples >= request_.samples;
+      if (!covered || job_.progress.cancelled()) continue;
+      show(film_, !last);
+      shownAt = traced_;
+    }
+    // Stopped: what was traced since the last look is worth showing when it is much.
+    if (film_.samples >= 1 && traced_ > 1.5 * shownAt && !job_.discarded) show(film_, true);
+  }
+
+  void tell() {
+    const std::unique_lock lock(telling_, std::try_to_lock);
+    if (!lock || !begun_ || (told_ && secondsSince(*told_) < 0.2)) return;
+    told_ = Clock::now();
+    const double done = traced_ + secondsSince(*begun_);
+    double total = request_.seconds;
+    if (samples_ > 0) total = std::min(total, traced_ * request_.samples / samples_);
+    total = std::max(total, done);
+    report_.progressed(done / total, total - done);
+  }
+
+  void show(const render::Film& film, bool fast) {
+    if (job_.discarded) return;
+    const render::DevelopSettings settings{.fastDenoise = fast, .threads = threadsToUse()};
+    QImage image = toQImage(render::develop(film, settings, &denoiser_));
+    if (!job_.discarded) report_.pictured(std::move(image));
+  }
+
+  Job& job_;
+  PictureRequest& request_;
+  render::Denoiser& denoiser_;
+  Report report_;
+  double aspect_;
+  render::Film film_;
+  BuiltScene built_;
+  std::optional<render::CompiledScene> scene_;
+  render::Camera view_;
+  render::RenderSettings settings_;
+  double traced_ = 0;  // s, in the slices that are over
+  int samples_ = 0;    // a pixel, of the slices that are over
+  std::optional<Clock::time_point> begun_, told_;
+  std::mutex telling_;
+};
+
+}  // namespace
+
+struct PictureWorker::Impl {
+  PictureWorker& worker;
+  std::shared_ptr<Job> current;  // GUI thread: being made or waiting
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::shared_ptr<Job> waiting;  // under mutex
+  bool closing = false;          // under mutex
+  std::thread thread;
+
+  explicit Impl(PictureWorker& w) : worker(w) {}
+
+  void loop() {
+    lowerThreadPriority();
+    render::Denoiser denoiser;
+    for (;;) {
+      std::shared_ptr<Job> job;
+      {
+        std::unique_lock lock(mutex);
+        wake.wait(lock, [&] { return closing || waiting; });
+        if (closing) return;
+        job = std::exchange(waiting, nullptr);
+      }
+      run(job, denoiser);
+    }
+  }
+
+  void run(const std::shared_ptr<Job>& job, render::Denoiser& denoiser) {
+    QString trouble;
+    try {
+      Picture(*job, denoiser,
+              {.pictured =
+                   [&](QImage image) {
+                     tell(job, [image = std::move(image)](PictureWorker& w) { emit w.pictured(image); });
+                   },
+               .progressed =
+                   [&](double fraction, double left) {
+                     tell(job, [=](PictureWorker& w) { emit w.progressed(fraction, left); });
+                   }})
+          .make();
+    } catch (const Cancelled&) {
+    } catch (const std::exception& error) {
+      trouble = toQt(error.what());
+    }
+    tell(job, [this, trouble](PictureWorker& w) {
+      current = nullptr;
+      if (!trouble.isEmpty()) emit w.failed(trouble);
+      emit w.finished();
+    });
+  }
+
+  // On the GUI thread, unless the job has been replaced by then.
+  template <class Action>
+  void tell(const std::shared_ptr<Job>& job, Action action) {
+    QMetaObject::invokeMethod(
+        &worker,
+        [this, job, action = std::move(action)] {
+          if (current == job) action(worker);
+        },
+        Qt::QueuedConnection);
+  }
+
+  void discard() {
+    if (!current) return;
+    current->discarded = true;
+    current->progress.cancel();
+    current = nullptr;
+  }
+};
+
+PictureWorker::PictureWorker(QObject* parent) : QObject(parent), impl_(std::make_unique<Impl>(*this)) {}
+
+PictureWorker::~PictureWorker() {
+  impl_->discard();
+  if (!impl_->thread.joinable()) return;
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->closing = true;
+  }
+  impl_->wake.notify_all();
+  impl_->thread.join();
+}
+
+void PictureWorker::start(PictureRequest request) {
+  impl_->discard();
+  impl_->current = std::make_shared<Job>();
+  impl_->current->request = std::move(request);
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->waiting = impl_->current;
+  }
+  impl_->wake.notify_all();
+  if (!impl_->thread.joinable()) impl_->thread = std::thread([this] { impl_->loop(); });
+}
+
+void PictureWorker::stop() {
+  if (impl_->current) impl_->current->progress.cancel();
+}
+
+bool PictureWorker::busy() const { return impl_->current != nullptr; }
+
+}  // namespace idap

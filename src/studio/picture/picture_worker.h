@@ -1,0 +1,46 @@
+// Makes a picture of a home on a thread of its own: coarse within about a second, then finer until it is good
+// enough. The window goes on meanwhile.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "catalog/catalog.h"
+#include "model/home.h"
+
+namespace idap {
+
+struct PictureRequest {
+  Home home;  // a snapshot
+  std::shared_ptr<const Catalog> catalog;
+  std::optional<Camera> camera;  // none: from above, without ceilings
+  int width = 640, height = 480;
+  int samples = 64;     // a pixel; whichever comes first
+  double seconds = 20;  // of tracing
+};
+
+// Belongs to the GUI thread; so do its signals.
+class PictureWorker : public QObject {
+  Q_OBJECT
+ public:
+  explicit PictureWorker(QObject* parent = nullptr);
+  ~PictureWorker() override;  // cancels; waits until the thread notices, at most for one denoising
+
+  void start(PictureRequest request);  // in place of the picture being made, of which no more is heard
+  void stop();                         // what there is stays, and is shown at its best
+  bool busy() const;
+
+ signals:
+  void pictured(const QImage& picture);
+  void progressed(double fraction, double secondsLeft);  // secondsLeft < 0: not known yet
+  void finished();                                       // after the last picture, stopped or not
+  void failed(const QString& why);                       // before finished()
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace idap
