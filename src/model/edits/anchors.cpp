@@ -72,9 +72,17 @@ Anchors::Anchors(const Home& before, const Home& after) {
 }
 
 void Anchors::addWalls(const Home& before, const Home& after, const std::vector<WallId>& changed) {
+  // A wall that only got another neighbour or finish stands where it stood.
+  std::vector<WallId> moved;
+  for (const WallId id : changed) {
+    const Wall &was = *before.walls.find(id), &is = *after.walls.find(id);
+    if (was.start != is.start || was.end != is.end || was.arcExtent != is.arcExtent ||
+        was.thickness != is.thickness)
+      moved.push_back(id);
+  }
   // The corners of a wall move with its neighbours too.
-  std::set<WallId> touched(changed.begin(), changed.end());
-  for (const WallId id : changed)
+  std::set<WallId> touched(moved.begin(), moved.end());
+  for (const WallId id : moved)
     for (const Wall* wall : {before.walls.find(id), after.walls.find(id)}) {
       touched.insert(wall->neighbourAtStart);
       touched.insert(wall->neighbourAtEnd);
@@ -86,7 +94,7 @@ void Anchors::addWalls(const Home& before, const Home& after, const std::vector<
     for (std::size_t i = 0; i < from.size(); ++i)
       if (from[i] != to[i]) wallCorners_.push_back({was->level, from[i], to[i]});
   }
-  for (const WallId id : changed) walls_.push_back({*before.walls.find(id), *after.walls.find(id)});
+  for (const WallId id : moved) walls_.push_back({*before.walls.find(id), *after.walls.find(id)});
 }
 
 std::optional<Vec2> Anchors::nearest(const std::vector<Moved>& points, LevelId level, Vec2 point) {

@@ -1,9 +1,11 @@
 // Rooms that follow the walls around them.
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "model/edits/anchors.h"
 #include "model/edits/wall_shape_edits.h"
 #include "model/room_geometry.h"
 #include "model/wall_path.h"
@@ -194,6 +196,23 @@ RoomId addTo(Home& home, LevelId level, const Polygon& ring, const std::string& 
   return id;
 }
 
+// Rooms that fill no area but were drawn to the corners of walls keep to these.
+void carryCorners(const Home& before, Home& next, LevelId level, const Matching& match) {
+  std::set<RoomId> filling;
+  for (const auto& rooms : match.rooms) filling.insert(rooms.begin(), rooms.end());
+  std::optional<Anchors> anchors;  // most levels have no such room
+  for (const auto& [id, room] : next.rooms) {
+    if (room->level != level || filling.contains(id)) continue;
+    const Room* was = before.rooms.find(id);
+    if (!was || was->points != room->points) continue;
+    if (!anchors) anchors.emplace(before, next);
+    Room moved = *room;
+    for (Vec2& p : moved.points)
+      if (const auto place = anchors->wallCorner(level, p)) p = *place;
+    if (moved.points != room->points) next.rooms.set(id, std::move(moved));
+  }
+}
+
 }  // namespace
 
 Home followWalls(const Home& before, const Home& after, LevelId level, bool newRooms,
@@ -218,6 +237,7 @@ Home followWalls(const Home& before, const Home& after, LevelId level, bool newR
       next.rooms.set(id, std::move(room));
     }
   }
+  carryCorners(before, next, level, match);
   if (!newRooms) return next;
   for (std::size_t j = 0; j < match.after.size(); ++j) {
     if (merged.contains(j)) continue;

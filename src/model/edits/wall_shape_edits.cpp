@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "model/edits/anchors.h"
 #include "model/edits/wall_ends.h"
 #include "model/edits/wall_move.h"
 #include "model/wall_path.h"
@@ -146,20 +145,6 @@ bool standsThere(const Home& home, const Wall& wall) {
   });
 }
 
-// Rooms after walls were moved: those that fill an area still do, others keep their points at walls' corners.
-Home withRoomCorners(const Home& before, const Home& after, LevelId level) {
-  Home next = followWalls(before, after, level, false);
-  const Anchors anchors(before, next);
-  for (const auto& [id, room] : before.rooms) {
-    if (room->level != level || next.rooms.find(id)->points != room->points) continue;
-    Room moved = *room;
-    for (Vec2& p : moved.points)
-      if (const auto place = anchors.wallCorner(level, p)) p = *place;
-    if (moved.points != room->points) next.rooms.set(id, std::move(moved));
-  }
-  return next;
-}
-
 }  // namespace
 
 Home joinWalls(const Home& home, WallId firstId, WallId secondId) {
@@ -240,14 +225,14 @@ Home moveCorner(const Home& home, LevelId level, Vec2 corner, Vec2 to) {
     for (const WallEnd end : {WallEnd::Start, WallEnd::End})
       if (samePlace(endPoint(*wall, end), corner)) move.set(id, end, to);
   }
-  return withRoomCorners(home, move.applied(), level);
+  return followWalls(home, move.applied(), level, false);
 }
 
 Home moveWall(const Home& home, WallId id, Vec2 start, Vec2 end) {
   WallMove move(home);
   move.set(id, WallEnd::Start, start);
   move.set(id, WallEnd::End, end);
-  return withRoomCorners(home, move.applied(), existing(home, id).level);
+  return followWalls(home, move.applied(), existing(home, id).level, false);
 }
 
 Home wallsAroundRoom(const Home& home, RoomId id, double thickness, double height) {

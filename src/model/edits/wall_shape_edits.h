@@ -22,7 +22,7 @@ Home reverseWall(const Home& home, WallId id);
 Home bendWall(const Home& home, WallId id, Vec2 through);
 
 // Moves the corner of all walls of a level that have an end there (within 1 mm), with what is joined and the
-// rooms whose outline has a point at that corner's faces.
+// rooms (as followWalls has it).
 Home moveCorner(const Home& home, LevelId level, Vec2 corner, Vec2 to);
 
 // The same for both ends of a wall at once.
@@ -33,8 +33,9 @@ Home wallsAroundRoom(const Home& home, RoomId room, double thickness, double hei
 
 // Rooms follow the walls they were found in. A room that filled an area between the walls of before fills
 // what became of that area after, and keeps all else; of an area cut in two it keeps the larger part (at
-// equal parts, the one its name stands in). Where two such rooms became one area both stay as they are. What
-// the user drew elsewhere stays. newRooms: every area that walls newly close gets a room of that name, with
+// equal parts, the one its name stands in). Where two such rooms became one area both stay as they are. Of
+// other rooms the points at corners of walls (within 1 mm) go with these; what the user drew elsewhere stays.
+// newRooms: every area that walls newly close gets a room of that name, with
 // the finishes of the room it was cut off from.
 Home followWalls(const Home& before, const Home& after, LevelId level, bool newRooms,
                  const std::string& name = {});

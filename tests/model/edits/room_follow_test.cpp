@@ -115,6 +115,19 @@ TEST(FollowWalls, ARoomThatIsOpenedStaysAndOneDrawnByHandToo) {
   EXPECT_EQ(moved.rooms.size(), 3u);
 }
 
+TEST(FollowWalls, ARoomDrawnToTheCornersOfWallsKeepsToThem) {
+  // Both rooms of the flat as one: no area between walls.
+  Room whole;
+  whole.points = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
+  const RoomEdit edit = addRoom(test::smallFlat(), whole);
+  const Home moved =
+      followWalls(edit.home, moveElements(edit.home, walls({WallId{2}}), {1, 0, 0}), {}, false);
+  const Box2 box = bounds(moved.rooms.find(edit.room)->points);
+  EXPECT_NEAR(box.min.x, 0.1, 1e-9);
+  EXPECT_NEAR(box.max.x, 6.9, 1e-9);
+  EXPECT_NEAR(box.max.y, 3.9, 1e-9);
+}
+
 TEST(FollowWalls, AnAreaWhoseRoomWasDeletedStaysWithout) {
   const Flat before = flat();
   Elements gone;
