@@ -4548,6 +4548,22 @@
         <source>Printed the plan into %1</source>
         <translation>พิมพ์แปลนลง %1 แล้ว</translation>
     </message>
+    <message>
+        <source>%1 is part of the catalog now</source>
+        <translation>เพิ่ม %1 ลงในแค็ตตาล็อกแล้ว</translation>
+    </message>
+    <message>
+        <source>Import a piece</source>
+        <translation>นำเข้าชิ้นส่วน</translation>
+    </message>
+    <message>
+        <source>This level has no background picture</source>
+        <translation>ชั้นนี้ไม่มีภาพพื้นหลัง</translation>
+    </message>
+    <message>
+        <source>Double-click makes this a room</source>
+        <translation>ดับเบิลคลิกเพื่อสร้างเป็นห้อง</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -5121,6 +5137,68 @@
     </message>
 </context>
 <context>
+    <name>idap::ImportDialog</name>
+    <message>
+        <source>Import furniture</source>
+        <translation>นำเข้าเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>Another file</source>
+        <translation>ไฟล์อื่น</translation>
+    </message>
+    <message>
+        <source>Add to the catalog</source>
+        <translation>เพิ่มลงแค็ตตาล็อก</translation>
+    </message>
+    <message>
+        <source>Put into the home</source>
+        <translation>วางในบ้าน</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>กำลังอ่าน %1</translation>
+    </message>
+    <message>
+        <source>Copying %1</source>
+        <translation>กำลังคัดลอก %1</translation>
+    </message>
+</context>
+<context>
+    <name>idap::ImportStart</name>
+    <message>
+        <source>Drop a file here, or choose one.
+
+A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, glTF, STL, or a ZIP with one of these) becomes a piece of this home.</source>
+        <translation>ลากไฟล์มาวางที่นี่ หรือเลือกไฟล์
+
+คลังเฟอร์นิเจอร์ (SH3F) จะเพิ่มลงในแค็ตตาล็อก ส่วนโมเดล (OBJ, 3DS, DAE, glTF, STL หรือ ZIP ที่มีไฟล์เหล่านี้) จะเป็นชิ้นหนึ่งของบ้านนี้</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>เลือกไฟล์…</translation>
+    </message>
+    <message>
+        <source>Look for a furniture library or a model on this computer</source>
+        <translation>หาคลังเฟอร์นิเจอร์หรือโมเดลในคอมพิวเตอร์นี้</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>หยุด</translation>
+    </message>
+    <message>
+        <source>Import furniture</source>
+        <translation>นำเข้าเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>Furniture</source>
+        <translation>เฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>ทุกไฟล์</translation>
+    </message>
+</context>
+<context>
     <name>idap::JobIndicator</name>
     <message>
         <source>%1 s</source>
@@ -5237,6 +5315,25 @@
     <message>
         <source>Counts when the home is built; a level kept for later does not</source>
         <translation>นับรวมเมื่อสร้างบ้าน ชั้นที่เก็บไว้ภายหลังไม่นับ</translation>
+    </message>
+</context>
+<context>
+    <name>idap::LibraryPage</name>
+    <message>
+        <source>Pieces: %1</source>
+        <translation>จำนวนชิ้น: %1</translation>
+    </message>
+    <message>
+        <source>Licence: %1</source>
+        <translation>สัญญาอนุญาต: %1</translation>
+    </message>
+    <message>
+        <source>%1 more cannot be used: %2</source>
+        <translation>อีก %1 ชิ้นใช้ไม่ได้: %2</translation>
+    </message>
+    <message>
+        <source>You have a library %1 already. It will be replaced by this one.</source>
+        <translation>มีคลัง %1 อยู่แล้ว จะถูกแทนที่ด้วยคลังนี้</translation>
     </message>
 </context>
 <context>
@@ -5456,6 +5553,145 @@
     </message>
 </context>
 <context>
+    <name>idap::ModelPage</name>
+    <message>
+        <source>Furniture</source>
+        <translation>เฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>โคมไฟ</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>ประตู</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>หน้าต่าง</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>เมตร</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>เซนติเมตร</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>มิลลิเมตร</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>นิ้ว</translation>
+    </message>
+    <message>
+        <source>Y (most models)</source>
+        <translation>Y (โมเดลส่วนใหญ่)</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>−Y</source>
+        <translation>−Y</translation>
+    </message>
+    <message>
+        <source>−Z</source>
+        <translation>−Z</translation>
+    </message>
+    <message>
+        <source>−X</source>
+        <translation>−X</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>ชื่อ</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>หมวดหมู่</translation>
+    </message>
+    <message>
+        <source>It is</source>
+        <translation>เป็น</translation>
+    </message>
+    <message>
+        <source>Made in</source>
+        <translation>หน่วยในไฟล์</translation>
+    </message>
+    <message>
+        <source>Up is</source>
+        <translation>แกนที่ชี้ขึ้น</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>กว้าง</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>ลึก</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>สูง</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>ระดับจากพื้น</translation>
+    </message>
+    <message>
+        <source>Turn 90°</source>
+        <translation>หมุน 90°</translation>
+    </message>
+    <message>
+        <source>Turn it until its front looks at you</source>
+        <translation>หมุนจนด้านหน้าหันหาคุณ</translation>
+    </message>
+    <message>
+        <source>What one unit of the file stands for: sets the size</source>
+        <translation>หนึ่งหน่วยในไฟล์แทนอะไร: กำหนดขนาด</translation>
+    </message>
+    <message>
+        <source>If the piece lies on its back, choose another axis</source>
+        <translation>ถ้าชิ้นนี้นอนหงาย เลือกแกนอื่น</translation>
+    </message>
+    <message>
+        <source>Lamps give light; doors and windows go into walls</source>
+        <translation>โคมไฟให้แสง ประตูและหน้าต่างอยู่ในผนัง</translation>
+    </message>
+    <message>
+        <source>Keep proportions</source>
+        <translation>คงสัดส่วน</translation>
+    </message>
+    <message>
+        <source>Width, depth and height change together</source>
+        <translation>กว้าง ลึก สูง เปลี่ยนไปพร้อมกัน</translation>
+    </message>
+    <message>
+        <source>Of its base above the floor</source>
+        <translation>ความสูงของฐานเหนือพื้น</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 สามเหลี่ยม</translation>
+    </message>
+    <message>
+        <source>How the piece will look</source>
+        <translation>หน้าตาของชิ้นนี้</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>ตัวอย่าง</translation>
+    </message>
+</context>
+<context>
     <name>idap::NewRoomDialog</name>
     <message>
         <source>New room</source>
@@ -5573,15 +5809,6 @@
         <translation>กล้อง %1</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <extracomment>%1 is a date such as &quot;21 Dec&quot;, %2 a time of day</extracomment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>The time of the picture&apos;s daylight: %1</source>
-        <translation>เวลาของแสงธรรมชาติในภาพ: %1</translation>
-    </message>
-    <message>
         <source>Preparing…</source>
         <translation>กำลังเตรียม…</translation>
     </message>
@@ -5608,6 +5835,10 @@
     <message>
         <source>JPEG picture (*.jpg *.jpeg)</source>
         <translation>ภาพ JPEG (*.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>The time of the picture&apos;s daylight: %1, %2</source>
+        <translation>เวลาของแสงธรรมชาติในภาพ: %1 %2</translation>
     </message>
 </context>
 <context>
