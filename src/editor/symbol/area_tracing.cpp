@@ -68,23 +68,6 @@ float areaOf(const std::vector<Vec2f>& ring) {
   return twice / 2;
 }
 
-// A ring is cut at its two points furthest from each other, and each half made simpler.
-std::vector<Vec2f> simplifiedRing(const std::vector<Vec2f>& ring, float tolerance) {
-  std::size_t far = 0;
-  float most = -1;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (const float d = length(ring[i] - ring[0]); d > most) most = d, far = i;
-  const auto half = std::ptrdiff_t(far);
-  std::vector<Vec2f> first(ring.begin(), ring.begin() + half + 1), second(ring.begin() + half, ring.end());
-  second.push_back(ring[0]);
-  first = simplified(first, tolerance);
-  second = simplified(second, tolerance);
-  first.pop_back();
-  second.pop_back();
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 std::vector<SymbolRing> ringsOf(const DepthRaster& raster, Borders& borders, float& area) {
   std::vector<SymbolRing> rings;
   for (const auto& ring : borders.rings()) {
@@ -168,6 +151,23 @@ std::vector<Vec2f> simplified(const std::vector<Vec2f>& line, float tolerance) {
   for (std::size_t i = 0; i < line.size(); ++i)
     if (kept[i]) fewer.push_back(line[i]);
   return fewer;
+}
+
+// A ring is cut at its two points furthest from each other, and each half made simpler.
+std::vector<Vec2f> simplifiedRing(const std::vector<Vec2f>& ring, float tolerance) {
+  std::size_t far = 0;
+  float most = -1;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (const float d = length(ring[i] - ring[0]); d > most) most = d, far = i;
+  const auto half = std::ptrdiff_t(far);
+  std::vector<Vec2f> first(ring.begin(), ring.begin() + half + 1), second(ring.begin() + half, ring.end());
+  second.push_back(ring[0]);
+  first = simplified(first, tolerance);
+  second = simplified(second, tolerance);
+  first.pop_back();
+  second.pop_back();
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 }  // namespace idap

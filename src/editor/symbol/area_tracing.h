@@ -18,5 +18,6 @@ std::vector<SymbolRing> traceOutline(const DepthRaster& raster);
 
 // Fewer points, none further than tolerance from the line (Douglas and Peucker 1973).
 std::vector<Vec2f> simplified(const std::vector<Vec2f>& line, float tolerance);
+std::vector<Vec2f> simplifiedRing(const std::vector<Vec2f>& ring, float tolerance);
 
 }  // namespace idap

@@ -17,6 +17,7 @@ constexpr double kLongSide = 400;     // cells of the raster on the longer side
 constexpr double kFinestCell = 5e-4;  // m
 constexpr float kSloped = 0.8f;       // cosine: faces turned further away are drawn darker
 constexpr std::size_t kMostPoints = 1600;
+constexpr float kCoarse = 0.035f;  // of the longer side
 
 // World axes as right, up and towards the eye.
 Transform toPlane(Plane plane) {
@@ -40,6 +41,21 @@ Transform toSymbol(const SurfaceModel& model, const Piece& piece, Plane plane) {
     t = t * Transform::scaling({std::max(piece.size.x, kThinnest), std::max(piece.size.y, kThinnest),
                                 std::max(piece.size.z, kThinnest)});
   return t;
+}
+
+SymbolRing coarsened(const std::vector<SymbolRing>& rings, float tolerance) {
+  const auto extent = [](const SymbolRing& ring) {
+    Vec2f low{1e30f, 1e30f}, high{-1e30f, -1e30f};
+    for (const Vec2f p : ring) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return (high.x - low.x) * (high.y - low.y);
+  };
+  const auto largest =
+      std::max_element(rings.begin(), rings.end(),
+                       [&](const SymbolRing& a, const SymbolRing& b) { return extent(a) < extent(b); });
+  return largest == rings.end() ? SymbolRing{} : simplifiedRing(*largest, tolerance);
 }
 
 }  // namespace
@@ -70,6 +86,7 @@ Symbol makeSymbol(const SurfaceModel& model, const Piece& piece, Plane plane) {
                 label + 1);
   }
   symbol.outline = traceOutline(raster);
+  symbol.coarse = coarsened(symbol.outline, float(longest) * kCoarse);
   for (TracedArea& area : traceAreas(raster)) {
     const std::uint32_t label = area.label - 1;
     symbol.areas.push_back(

@@ -41,8 +41,9 @@ struct SymbolLine {
 struct Symbol {
   std::vector<SymbolSlot> slots;
   std::vector<SymbolRing> outline;  // of all that is seen, even-odd
-  std::vector<SymbolArea> areas;    // the largest first
-  std::vector<SymbolLine> lines;    // the longest first
+  SymbolRing coarse;  // the largest ring of it with few points, for when it is small on the screen
+  std::vector<SymbolArea> areas;  // the largest first
+  std::vector<SymbolLine> lines;  // the longest first
   Vec2 size{1, 1};  // of the piece's own size on the plane: to stretch it while a better one is made
   bool empty() const { return outline.empty(); }
 };

@@ -74,8 +74,4 @@ std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, P
   return faces;
 }
 
-bool inFront(const Home&, const Opening& opening, Plane plane, double section) {
-  return towards(plane, {opening.position.x, opening.position.y}) > section;
-}
-
 }  // namespace idap

@@ -20,7 +20,4 @@ struct WallFace {
 // The silhouette of a wall, and where it is cut the cut itself. Openings are not taken out.
 std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, Plane plane, double section);
 
-// Whether what is at such a wall stands between the eye and the section.
-bool inFront(const Home& home, const Opening& opening, Plane plane, double section);
-
 }  // namespace idap

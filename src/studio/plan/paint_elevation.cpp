@@ -1,5 +1,8 @@
 // The building from the side: floors and ceilings with their heights, walls, and what stands in them.
+#include <QPainterPath>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "studio/plan/elevation.h"
 #include "studio/plan/paint_symbol.h"
@@ -46,103 +49,126 @@ class StoreyPainter : public Painter {
   }
 };
 
+// Whether a wall between the section and a piece before it hides most of that piece.
+bool behindAWall(const PieceItem& item, const std::vector<WallFace>& front) {
+  const double middle = (item.near + item.far) / 2, width = item.box.max.x - item.box.min.x;
+  for (const WallFace& face : front) {
+    if (face.near > middle) continue;
+    const Box2 box = bounds(face.polygon);
+    const double shared = std::min(box.max.x, item.box.max.x) - std::max(box.min.x, item.box.min.x);
+    if (shared > 0.5 * width) return true;
+  }
+  return false;
+}
+
+// Walls and what stands between them, from the farthest to the nearest: up to the section as they are seen,
+// before it in outline.
 class ElevationPainter : public Painter {
  public:
   void paint(const Drawing& drawing, Canvas& c) const override {
-    std::vector<WallFace> faces;
+    std::vector<WallFace> behind, cut, front;
     for (const auto& [id, wall] : drawing.home.walls) {
       if (!(wall->level == drawing.level)) continue;
       for (WallFace& face : wallFaces(drawing.home, id, *wall, drawing.plane, drawing.section))
-        if (face.kind != WallFace::Kind::Front && c.shows(bounds(face.polygon)))
-          faces.push_back(std::move(face));
+        (face.kind == WallFace::Kind::Front ? front
+         : face.kind == WallFace::Kind::Cut ? cut
+                                            : behind)
+            .push_back(std::move(face));
     }
-    std::sort(faces.begin(), faces.end(),
+    std::sort(behind.begin(), behind.end(),
               [](const WallFace& a, const WallFace& b) { return a.near < b.near; });
-    for (const WallFace& face : faces) {
-      if (face.kind != WallFace::Kind::Behind) continue;
-      c.p.setPen(c.pen(c.colors.faint));
-      c.p.setBrush(c.colors.wallPale);
-      c.p.drawPolygon(c.polygon(face.polygon));
+    SymbolPainter symbols(c);
+    // What stands behind a wall shows through it faintly: it can still be found, and is no part of the room.
+    auto next = behind.begin();
+    const auto wallsUpTo = [&](double near) {
+      for (; next != behind.end() && next->near <= near; ++next) wall(c, *next);
+    };
+    bool sectionDrawn = false;
+    const auto drawSection = [&] {
+      sectionDrawn = true;
+      wallsUpTo(std::numeric_limits<double>::infinity());
+      for (const WallFace& face : cut) {
+        QPainterPath path;
+        path.addPolygon(c.polygon(face.polygon));
+        path.closeSubpath();
+        fillWall(c, path, {});
+        c.p.setPen(c.pen(c.colors.ink, 1));
+        c.p.setBrush(Qt::NoBrush);
+        c.p.drawPath(path);
+      }
+    };
+    for (const PieceItem* item : drawing.pieces.items()) {
+      const double middle = (item->near + item->far) / 2;
+      if (middle > drawing.section && !sectionDrawn) drawSection();
+      if (!sectionDrawn) wallsUpTo(item->opening ? item->near + 0.5 : middle);  // a window is in its wall
+      if (!c.shows(item->box)) continue;
+      const bool open =
+          item->opening ? middle > drawing.section : middle > drawing.section && behindAWall(*item, front);
+      if (open) {
+        outlineOnly(c, *item);
+      } else if (item->opening && item->opening->kind == OpeningKind::Bare) {
+        c.p.setPen(c.pen(c.colors.soft));
+        c.p.setBrush(c.colors.paper);
+        c.p.drawPolygon(c.polygon(item->outline));
+      } else {
+        symbols.draw(*item);
+      }
     }
-    c.p.setPen(c.pen(c.colors.ink, 1));
-    for (const WallFace& face : faces) {
-      if (face.kind != WallFace::Kind::Cut) continue;
-      fillWall(c, c.polygon(face.polygon), {});
-      c.p.setPen(c.pen(c.colors.ink, 1));
-      c.p.setBrush(Qt::NoBrush);
-      c.p.drawPolygon(c.polygon(face.polygon));
-    }
+    if (!sectionDrawn) drawSection();
+    c.p.setBrush(Qt::NoBrush);
+    c.p.setPen(c.pen(c.colors.faint, 1, Qt::DashLine));
+    for (const WallFace& face : front)
+      if (c.shows(bounds(face.polygon))) c.p.drawPolygon(c.polygon(face.polygon));
   }
+
   void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,
                DirtyBoxes& dirty) const override {
-    if (diff.walls.empty()) return;
+    if (!diff.groups.empty()) dirty.all = true;
     if (before.section != after.section) dirty.all = true;
-    const auto box = [](const Drawing& drawing) {
+    const auto piece = [](const Drawing& drawing) {
+      return [&drawing](auto, const Piece& each) {
+        return bounds(outline(drawing.plane, each, elevationOf(drawing.home, each.level)));
+      };
+    };
+    addChanged(diff.furniture, before.home.furniture, after.home.furniture, piece(before), piece(after),
+               dirty);
+    addChanged(diff.openings, before.home.openings, after.home.openings, piece(before), piece(after), dirty);
+    const auto walls = [](const Drawing& drawing) {
       return [&drawing](WallId id, const Wall& wall) {
         Box2 all;
         for (const WallId each : {id, wall.neighbourAtStart, wall.neighbourAtEnd})
           if (const Wall* w = each ? drawing.home.walls.find(each) : nullptr)
             for (const WallFace& face : wallFaces(drawing.home, each, *w, drawing.plane, drawing.section))
               add(all, bounds(face.polygon));
+        // A wall that hides pieces decides on how they look.
+        for (const PieceItem* item : drawing.pieces.items())
+          if (item->box.overlaps(all)) add(all, item->box);
         return all;
       };
     };
-    addChanged(diff.walls, before.home.walls, after.home.walls, box(before), box(after), dirty);
+    addChanged(diff.walls, before.home.walls, after.home.walls, walls(before), walls(after), dirty);
   }
+
   void extend(const Drawing& drawing, Box2& box) const override {
     for (const auto& [id, wall] : drawing.home.walls)
       if (wall->level == drawing.level)
         for (const WallFace& face : wallFaces(drawing.home, id, *wall, drawing.plane, drawing.section))
           add(box, bounds(face.polygon));
+    add(box, drawing.pieces.bounds());
   }
-};
-
-class ElevationPiecePainter : public Painter {
- public:
-  void paint(const Drawing& drawing, Canvas& c) const override {
-    SymbolPainter symbols(c);
-    // What is in the walls behind first: nothing stands behind a wall.
-    for (const PieceItem* item : drawing.pieces.items())
-      if (item->opening && c.shows(item->box) &&
-          !inFront(drawing.home, *item->opening, drawing.plane, drawing.section))
-        drawOpening(c, symbols, *item);
-    for (const PieceItem* item : drawing.pieces.items())
-      if (item->furniture && c.shows(item->box)) symbols.draw(*item);
-    // Then what is before the section, in outline only.
-    c.p.setBrush(Qt::NoBrush);
-    c.p.setPen(c.pen(c.colors.faint, 1, Qt::DashLine));
-    for (const auto& [id, wall] : drawing.home.walls) {
-      if (!(wall->level == drawing.level)) continue;
-      for (const WallFace& face : wallFaces(drawing.home, id, *wall, drawing.plane, drawing.section))
-        if (face.kind == WallFace::Kind::Front && c.shows(bounds(face.polygon)))
-          c.p.drawPolygon(c.polygon(face.polygon));
-    }
-    for (const PieceItem* item : drawing.pieces.items())
-      if (item->opening && c.shows(item->box) &&
-          inFront(drawing.home, *item->opening, drawing.plane, drawing.section))
-        c.p.drawPolygon(c.polygon(item->outline));
-  }
-  void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,
-               DirtyBoxes& dirty) const override {
-    if (!diff.groups.empty()) dirty.all = true;
-    const auto box = [](const Drawing& drawing) {
-      return [&drawing](auto, const Piece& piece) {
-        return bounds(outline(drawing.plane, piece, elevationOf(drawing.home, piece.level)));
-      };
-    };
-    addChanged(diff.furniture, before.home.furniture, after.home.furniture, box(before), box(after), dirty);
-    addChanged(diff.openings, before.home.openings, after.home.openings, box(before), box(after), dirty);
-  }
-  void extend(const Drawing& drawing, Box2& box) const override { add(box, drawing.pieces.bounds()); }
 
  private:
-  static void drawOpening(Canvas& c, SymbolPainter& symbols, const PieceItem& item) {
-    if (item.opening->kind != OpeningKind::Bare) {
-      symbols.draw(item);
-      return;
-    }
-    c.p.setPen(c.pen(c.colors.soft));
-    c.p.setBrush(c.colors.paper);
+  static void wall(Canvas& c, const WallFace& face) {
+    if (!c.shows(bounds(face.polygon))) return;
+    QColor pale = c.colors.wallPale;
+    pale.setAlphaF(0.86f);
+    c.p.setPen(c.pen(c.colors.faint));
+    c.p.setBrush(pale);
+    c.p.drawPolygon(c.polygon(face.polygon));
+  }
+  static void outlineOnly(Canvas& c, const PieceItem& item) {
+    c.p.setPen(c.pen(c.colors.faint, 1, Qt::DashLine));
+    c.p.setBrush(Qt::NoBrush);
     c.p.drawPolygon(c.polygon(item.outline));
   }
 };
@@ -155,10 +181,6 @@ const Painter& storeyPainter() {
 }
 const Painter& elevationPainter() {
   static const ElevationPainter painter;
-  return painter;
-}
-const Painter& elevationPiecePainter() {
-  static const ElevationPiecePainter painter;
   return painter;
 }
 

@@ -11,6 +11,7 @@ namespace idap {
 namespace {
 
 constexpr double kNameSize = 0.18;  // m
+constexpr double kOverhead = 1.25;  // m: what begins higher is above the cut of a plan, drawn dashed
 
 // A sun-like sign in the middle of what gives light.
 void drawLamp(Canvas& c, const PieceItem& item) {
@@ -55,7 +56,11 @@ class FurniturePainter : public Painter {
       if (item->furniture && c.shows(itemBox(*item))) shown.push_back(item);
     SymbolPainter symbols(c);
     for (const PieceItem* item : shown) {
-      symbols.draw(*item);
+      if (item->far > kOverhead) {
+        symbols.drawOverhead(*item);
+      } else {
+        symbols.draw(*item);
+      }
       if (!item->furniture->staircaseCutOut.empty()) drawStairs(c, *item);
       if (item->furniture->lamp) drawLamp(c, *item);
     }

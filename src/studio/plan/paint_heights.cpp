@@ -23,7 +23,12 @@ void paintHeights(const Drawing& drawing, Canvas& c, const QRectF& visible) {
     c.p.setPen(c.pen(color, 1));
     c.p.setBrush(color);
     c.p.drawPolygon(QPolygonF{foot, foot + QPointF(-4, -6), foot + QPointF(4, -6)});
-    c.p.drawText(QPointF(foot.x() + 8, y - 2 - metrics.descent() / 2), words);
+    const QRectF behind(foot.x() + 7, y - 2 - metrics.height(), metrics.horizontalAdvance(words) + 4,
+                        metrics.height());
+    QColor paper = c.colors.paper;
+    paper.setAlphaF(0.8f);
+    c.p.fillRect(behind, paper);
+    c.p.drawText(QPointF(foot.x() + 9, y - 2 - metrics.descent()), words);
   };
   const double floor = drawing.elevation();
   const Level* own = drawing.home.levels.find(drawing.level);

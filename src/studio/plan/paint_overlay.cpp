@@ -116,6 +116,8 @@ void drawMeasure(Canvas& c, const MeasureLine& measure, LengthUnit unit) {
 
 void drawAngle(Canvas& c, const AngleMark& mark) {
   const double turn = std::remainder(mark.to - mark.from, 2 * kPi);
+  constexpr double kFlat = 0.02;  // radians: hardly an angle, and its number would lie on the line
+  if (std::abs(turn) < kFlat) return;
   const QPointF at = c.at(mark.centre);
   constexpr double kRadius = 34;
   dressed(c, c.colors.soft, 1);

@@ -75,6 +75,12 @@ class CompassPainter : public Painter {
                DirtyBoxes& dirty) const override {
     if (diff.site) dirty.add(compassBox(before.home.site)), dirty.add(compassBox(after.home.site));
   }
+  // A compass beside the drawing is part of it; one far away is not worth a small drawing.
+  void extend(const Drawing& drawing, Box2& box) const override {
+    constexpr double kBeside = 3;  // m
+    const Box2 own = compassBox(drawing.home.site);
+    if (drawing.home.site.compassVisible && !box.empty() && grown(box, kBeside).overlaps(own)) add(box, own);
+  }
 
  private:
   static Box2 compassBox(const Site& site) {

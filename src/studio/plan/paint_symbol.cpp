@@ -8,9 +8,8 @@ namespace idap {
 
 namespace {
 
-constexpr double kAreasFrom = 22;   // pixels: smaller symbols are one area
-constexpr double kShortest = 2.5;   // pixels: shorter lines are left out
-constexpr double kDetailFrom = 14;  // pixels: smaller ones have no lines at all
+constexpr double kAreasFrom = 24;  // pixels: smaller symbols are one area and its outline
+constexpr double kShortest = 2.5;  // pixels: shorter lines are left out
 const Color kNoColor{0.8f, 0.8f, 0.8f};
 
 }  // namespace
@@ -50,6 +49,21 @@ void SymbolPainter::box(const PieceItem& item, bool faded) {
   c_.p.drawPolygon(c_.polygon(item.outline));
 }
 
+void SymbolPainter::drawOverhead(const PieceItem& item) {
+  c_.p.setPen(c_.pen(c_.colors.soft, 1, Qt::DashLine));
+  c_.p.setBrush(Qt::NoBrush);
+  if (!item.symbol || item.symbol->empty()) {
+    c_.p.drawPolygon(c_.polygon(item.outline));
+    return;
+  }
+  place(item);
+  for (const SymbolRing& ring : item.symbol->outline) {
+    points_.clear();
+    for (const Vec2f point : ring) points_.push_back(map(point));
+    c_.p.drawPolygon(points_.data(), int(points_.size()));
+  }
+}
+
 void SymbolPainter::draw(const PieceItem& item, bool faded) {
   if (!item.symbol || item.symbol->empty()) {
     box(item, faded);
@@ -78,32 +92,32 @@ void SymbolPainter::draw(const PieceItem& item, bool faded) {
     }
     c_.p.drawPath(path);
   };
-  const QColor ink = faded ? c_.colors.faint : c_.colors.ink;
-  const QColor fine = faded ? c_.colors.faint : c_.colors.soft;
+  const QColor ink = faded ? c_.colors.faint : mixed(c_.colors.paper, c_.colors.ink, 0.88);
+  const QColor fine = faded ? c_.colors.faint : mixed(c_.colors.paper, c_.colors.ink, 0.55);
   const std::size_t main = symbol.areas.empty() ? 0 : symbol.areas.front().slot;
   if (!large) {
     c_.p.setPen(c_.pen(fine));
     c_.p.setBrush(tint(item, main, false, faded));
-    fill(symbol.outline);
-    if (pixels < kDetailFrom) return;
-  } else {
-    c_.p.setPen(Qt::NoPen);
-    c_.p.setBrush(tint(item, main, false, faded));
-    fill(symbol.outline);
-    for (const SymbolArea& area : symbol.areas) {
-      if (area.slot == main && !area.sloped) continue;
-      c_.p.setBrush(tint(item, area.slot, area.sloped, faded));
-      fill(area.rings);
-    }
+    points_.clear();
+    for (const Vec2f point : symbol.coarse) points_.push_back(map(point));
+    c_.p.drawPolygon(points_.data(), int(points_.size()));
+    return;
   }
-  const QPen finePen = c_.pen(large ? fine : mixed(fine, c_.colors.paper, 0.4), 1), inkPen = c_.pen(ink, 1);
+  c_.p.setPen(Qt::NoPen);
+  c_.p.setBrush(tint(item, main, false, faded));
+  fill(symbol.outline);
+  for (const SymbolArea& area : symbol.areas) {
+    if (area.slot == main && !area.sloped) continue;
+    c_.p.setBrush(tint(item, area.slot, area.sloped, faded));
+    fill(area.rings);
+  }
+  const QPen finePen = c_.pen(fine, 1), inkPen = c_.pen(ink, 1);
   const double shortest = kShortest / c_.view.scale;
   c_.p.setBrush(Qt::NoBrush);
   c_.p.setPen(finePen);
   bool heavy = false;
   for (const SymbolLine& line : symbol.lines) {
-    if (double(line.length) < (large ? shortest : 3 * shortest)) break;
-    if (!large && line.outline) continue;
+    if (double(line.length) < shortest) break;
     if (line.outline != heavy) c_.p.setPen((heavy = line.outline) ? inkPen : finePen);
     points_.clear();
     for (const Vec2f point : line.points) points_.push_back(map(point));

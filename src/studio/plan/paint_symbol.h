@@ -14,6 +14,8 @@ class SymbolPainter {
 
   // faded: as what lies behind or below.
   void draw(const PieceItem& item, bool faded = false);
+  // What hangs above the cut of a plan: a dashed outline that hides nothing.
+  void drawOverhead(const PieceItem& item);
 
  private:
   void box(const PieceItem& item, bool faded);

@@ -1,5 +1,5 @@
-#include <QBrush>
-#include <QTransform>
+#include <QPainterPath>
+#include <map>
 
 #include "model/wall_outline.h"
 #include "studio/plan/painters.h"
@@ -21,20 +21,24 @@ Box2 wallBox(const Home& home, WallId id, const Wall& wall) {
 class WallPainter : public Painter {
  public:
   void paint(const Drawing& drawing, Canvas& c) const override {
-    std::vector<std::pair<QPolygonF, const Wall*>> shown;
+    std::map<std::string, QPainterPath> byPattern;
+    std::vector<QPolygonF> outlines;
     for (const auto& [id, wall] : drawing.home.walls) {
       if (!(wall->level == drawing.level)) continue;
       const Polygon polygon = wallOutline(drawing.home, id, *wall).polygon();
-      if (c.shows(bounds(polygon))) shown.emplace_back(c.polygon(polygon), wall.get());
+      if (!c.shows(bounds(polygon))) continue;
+      QPainterPath& path = byPattern[wall->pattern];
+      path.setFillRule(Qt::WindingFill);
+      path.addPolygon(outlines.emplace_back(c.polygon(polygon)));
+      path.closeSubpath();
     }
     // All outlines first and all fills over them: what is left is the outline of the walls together, with no
     // lines across where they meet.
-    QPen outline = c.pen(c.colors.ink, 2.4);
-    outline.setJoinStyle(Qt::MiterJoin);
+    const QPen outline = c.pen(c.colors.ink, 2.4);
     c.p.setPen(outline);
     c.p.setBrush(Qt::NoBrush);
-    for (const auto& [polygon, wall] : shown) c.p.drawPolygon(polygon);
-    for (const auto& [polygon, wall] : shown) fillWall(c, polygon, wall->pattern);
+    for (const QPolygonF& polygon : outlines) c.p.drawPolygon(polygon);
+    for (const auto& [pattern, path] : byPattern) fillWall(c, path, pattern);
   }
 
   void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,

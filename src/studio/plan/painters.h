@@ -19,7 +19,6 @@ const Painter& polylinePainter();
 const Painter& cameraPainter();
 const Painter& compassPainter();
 const Painter& storeyPainter();     // XZ, YZ: floors and ceilings with their heights
-const Painter& elevationPainter();  // XZ, YZ: walls seen from the side
-const Painter& elevationPiecePainter();
+const Painter& elevationPainter();  // XZ, YZ: walls and all that stands between them
 
 }  // namespace idap

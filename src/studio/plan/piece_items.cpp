@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "model/visibility.h"
 #include "studio/plan/opening_shape.h"
@@ -12,14 +13,15 @@ namespace idap {
 
 namespace {
 
-double nearest(Plane plane, const Piece& piece, double elevation) {
-  // The extent along the line of sight: from the outline on a plane that shows it.
+// The extent along the line of sight, as nearness: from the outline on a plane that shows it.
+std::pair<double, double> farAndNear(Plane plane, const Piece& piece, double elevation) {
   if (plane == Plane::XY) {
-    if (piece.pitch == 0 && piece.roll == 0) return piece.position.z + piece.size.z;
-    return bounds(outline(Plane::XZ, piece, elevation)).max.y;
+    if (piece.pitch == 0 && piece.roll == 0) return {piece.position.z, piece.position.z + piece.size.z};
+    const Box2 box = bounds(outline(Plane::XZ, piece, elevation));
+    return {box.min.y - elevation, box.max.y - elevation};
   }
   const Box2 box = bounds(outline(Plane::XY, piece, elevation));
-  return plane == Plane::XZ ? -box.min.y : box.max.x;
+  return plane == Plane::XZ ? std::pair(-box.max.y, -box.min.y) : std::pair(box.min.x, box.max.x);
 }
 
 std::string trimmed(const std::string& text) {
@@ -89,7 +91,9 @@ void PieceItems::put(std::uint64_t id, std::shared_ptr<const Furniture> furnitur
   item->outline = outline(plane_, *piece, elevation);
   item->box = idap::bounds(item->outline);
   if (item->opening && plane_ == Plane::XY) add(item->box, openingBox(home, *item->opening));
-  item->near = nearest(plane_, *piece, elevation);
+  std::tie(item->far, item->near) = farAndNear(plane_, *piece, elevation);
+  // From above what reaches higher lies on top; from the side the section goes between middles.
+  item->order = plane_ == Plane::XY ? item->near : (item->near + item->far) / 2;
   item->turn = plane_ == Plane::XY ? piece->angle : 0;
   item->place = project(plane_, piece->position + Vec3{0, 0, elevation});
   symbolOf(*item, home, pictures);
@@ -155,7 +159,7 @@ void PieceItems::sort() {
   order_.reserve(byId_.size());
   for (const auto& [id, item] : byId_) order_.push_back(item.get());
   std::sort(order_.begin(), order_.end(), [](const PieceItem* a, const PieceItem* b) {
-    return a->near != b->near ? a->near < b->near : a->id < b->id;
+    return a->order != b->order ? a->order < b->order : a->id < b->id;
   });
 }
 

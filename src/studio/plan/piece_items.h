@@ -22,11 +22,12 @@ struct PieceItem {
   std::uint64_t id = 0;
   std::shared_ptr<const Furniture> furniture;  // one of the two
   std::shared_ptr<const Opening> opening;
-  Polygon outline;  // of its box, on the plane
-  Box2 box;         // of that and of the swings of its leaves
-  double near = 0;  // of its nearest point
-  double turn = 0;  // radians, of the symbol on the plane
-  Vec2 place;       // of the symbol's origin
+  Polygon outline;           // of its box, on the plane
+  Box2 box;                  // of that and of the swings of its leaves
+  double near = 0, far = 0;  // nearness of its nearest and its farthest point
+  double order = 0;          // smaller ones are drawn first
+  double turn = 0;           // radians, of the symbol on the plane
+  Vec2 place;                // of the symbol's origin
   SymbolKey key;
   SymbolPtr symbol;           // null: not there yet
   bool exact = false;         // it is the symbol of this very key, not one of another size

@@ -91,7 +91,7 @@ struct PlanView::Impl {
   }
   void show(Box2 box, double margin) {
     if (box.empty()) return;
-    const QRectF room = inner();
+    const QRectF room = inner().adjusted(0, caption->height(), 0, 0);
     const Vec2 size = box.max - box.min;
     ViewMap next;
     const double fit = std::min((room.width() - 2 * margin) / std::max(size.x, 0.1),

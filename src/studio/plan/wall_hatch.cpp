@@ -1,6 +1,5 @@
 #include "studio/plan/wall_hatch.h"
 
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -31,23 +30,21 @@ constexpr Hatch kHatches[] = {
 
 }  // namespace
 
-void fillWall(Canvas& c, const QPolygonF& polygon, const std::string& pattern) {
+void fillWall(Canvas& c, const QPainterPath& path, const std::string& pattern) {
   c.p.setPen(Qt::NoPen);
   const auto hatch = std::find_if(std::begin(kHatches), std::end(kHatches),
                                   [&](const Hatch& h) { return pattern == h.name; });
   if (hatch == std::end(kHatches)) {
     c.p.setBrush(pattern == "background" ? c.colors.paper : c.colors.wall);
-    c.p.drawPolygon(polygon);
+    c.p.drawPath(path);
     return;
   }
   c.p.setBrush(hatch->reversed ? c.colors.wall : c.colors.paper);
-  c.p.drawPolygon(polygon);
+  c.p.drawPath(path);
   c.p.save();
-  QPainterPath path;
-  path.addPolygon(polygon);
   c.p.setClipPath(path, Qt::IntersectClip);
   c.p.setPen(c.pen(hatch->reversed ? c.colors.paper : c.colors.soft));
-  const QRectF box = polygon.boundingRect().intersected(c.view.toView(c.area));
+  const QRectF box = path.boundingRect().intersected(c.view.toView(c.area));
   const double step = hatch->gap * std::sqrt(2.0), height = box.height();
   // Lines hang on the plane, not on the wall: neighbouring walls' hatches meet.
   const double phaseUp = c.view.origin.x() + c.view.origin.y(),

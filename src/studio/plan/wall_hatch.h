@@ -2,14 +2,15 @@
 // the names that Sweet Home 3D's files use).
 #pragma once
 
-#include <QPolygonF>
+#include <QPainterPath>
 #include <string>
 
 #include "studio/plan/canvas.h"
 
 namespace idap {
 
-// Opaque, without an outline. An empty or unknown name: solid poché.
-void fillWall(Canvas& canvas, const QPolygonF& polygon, const std::string& pattern);
+// Opaque, without an outline. One path for all walls that are filled alike: no seams where they meet. An
+// empty or unknown name: solid poché.
+void fillWall(Canvas& canvas, const QPainterPath& path, const std::string& pattern);
 
 }  // namespace idap
