@@ -113,14 +113,14 @@ class RoomSection : public StyledSection {
           &Room::floorVisible);
     finish({"roomFloor", QT_TRANSLATE_NOOP("idap", "Floor"), QT_TRANSLATE_NOOP("idap", "Change floor"),
             QT_TRANSLATE_NOOP("idap", "Boards, tiles or carpet.")},
-           &Room::floor, QT_TRANSLATE_NOOP("idap", "Plain floor"));
+           &Room::floor, QT_TRANSLATE_NOOP("idap", "Plain floor"), Color{0.72f, 0.70f, 0.67f});
     check({"roomCeilingVisible", QT_TRANSLATE_NOOP("idap", "Has a ceiling"),
            QT_TRANSLATE_NOOP("idap", "Change ceiling"),
            QT_TRANSLATE_NOOP("idap", "Without, it is open to above.")},
           &Room::ceilingVisible);
     finish({"roomCeiling", QT_TRANSLATE_NOOP("idap", "Ceiling"), QT_TRANSLATE_NOOP("idap", "Change ceiling"),
             ""},
-           &Room::ceiling, QT_TRANSLATE_NOOP("idap", "White paint"));
+           &Room::ceiling, QT_TRANSLATE_NOOP("idap", "White paint"), Color{});
     check({"roomCeilingFlat", QT_TRANSLATE_NOOP("idap", "Flat ceiling"),
            QT_TRANSLATE_NOOP("idap", "Change ceiling"),
            QT_TRANSLATE_NOOP("idap", "Level at the height of the storey, even where walls slope.")},
@@ -145,13 +145,14 @@ class RoomSection : public StyledSection {
           return changeRooms(home, e, [&](Room& r) { r.*member = on; });
         });
   }
-  void finish(const RowText& text, Finish Room::*member, const char* plainWords) {
+  void finish(const RowText& text, Finish Room::*member, const char* plainWords, Color plain) {
     addFinish(
         text, plainWords,
         [member](const Selected& s) { return s.ofRooms([member](const Room& r) { return r.*member; }); },
         [member](const Home& home, const Elements& e, const Finish& value) {
           return changeRooms(home, e, [&](Room& r) { r.*member = value; });
-        });
+        },
+        plain);
   }
 };
 

@@ -66,11 +66,21 @@ void Section::translate(const Row& row) const {
   if (row.label) {
     row.label->setText(label);
     row.label->setToolTip(tip.isEmpty() ? label : label + QStringLiteral(": ") + tip);
-  } else if (auto* button = qobject_cast<QAbstractButton*>(row.field)) {
-    button->setText(label);
   }
   row.field->setToolTip(tip);
   row.field->setAccessibleName(label);
+  fit(row);
+}
+
+void Section::fit(const Row& row) const {
+  auto* button = row.label ? nullptr : qobject_cast<QAbstractButton*>(row.field);
+  if (!button) return;
+  const QString words = translated(row.text.label), tip = translated(row.text.tip);
+  const int room = body()->width() - fontMetrics().height() * (qobject_cast<QCheckBox*>(button) ? 5 : 4) / 2;
+  const QString shown = fontMetrics().elidedText(words, Qt::ElideRight, std::max(room, 1));
+  button->setText(shown);
+  // What is cut off stands in the tooltip.
+  button->setToolTip(shown == words ? tip : tip.isEmpty() ? words : words + QStringLiteral(": ") + tip);
 }
 
 void Section::retranslate() {
@@ -138,10 +148,12 @@ int Section::labelWidth() const {
 }
 
 bool Section::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == body() && event->type() == QEvent::Resize)
+  if (watched == body() && event->type() == QEvent::Resize) {
+    for (const Row& row : rows_) fit(row);
     for (int i = 0; i < form_->rowCount(); ++i)
       if (const QLayoutItem* label = form_->itemAt(i, QFormLayout::LabelRole); label && label->widget())
         label->widget()->setFixedWidth(labelWidth());
+  }
   return SectionBox::eventFilter(watched, event);
 }
 
@@ -332,9 +344,9 @@ void Section::choose(const RowText& text, const Write<Finish>& write, const Fini
 }
 
 MaterialPicker* Section::addFinish(const RowText& text, const char* plainWords, Read<Finish> read,
-                                   Write<Finish> write) {
+                                   Write<Finish> write, std::optional<Color> plain) {
   auto* picker = new MaterialPicker(body());
-  const auto words = [picker, plainWords] { picker->setPlain(translated(plainWords)); };
+  const auto words = [picker, plainWords, plain] { picker->setPlain(translated(plainWords), plain); };
   words();
   translations_.push_back(words);
   addRow(text, picker);

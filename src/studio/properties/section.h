@@ -75,8 +75,9 @@ class Section : public SectionBox {
                        Write<int> write);
   ColorButton* addColor(const RowText& text, const char* noneWords, Read<std::optional<Color>> read,
                         Write<std::optional<Color>> write);
+  // plain: how a face without a finish looks.
   MaterialPicker* addFinish(const RowText& text, const char* plainWords, Read<Finish> read,
-                            Write<Finish> write);
+                            Write<Finish> write, std::optional<Color> plain = {});
   // Words that cannot be changed; the row hides when they are empty.
   QLabel* addInfo(const RowText& text, std::function<QString(const Selected&)> read);
   QPushButton* addButton(const RowText& text, std::function<bool(const Selected&)> shown,
@@ -113,6 +114,7 @@ class Section : public SectionBox {
     QLabel* label;  // null: the field spans the row
   };
   void translate(const Row& row) const;
+  void fit(const Row& row) const;  // words of a button to its width
   int labelWidth() const;
   void bind(ValueField* field, const RowText& text, const Read<double>& read, const Write<double>& write,
             const Limits& limits);

@@ -147,7 +147,8 @@ class WallSection : public Section {
         [](const Selected& s) { return s.ofWalls([](const Wall& w) { return w.top; }); },
         [](const Home& home, const Elements& e, const Finish& finish) {
           return changeWalls(home, e, [&](Wall& w) { w.top = finish; });
-        });
+        },
+        Color{});
   }
 };
 
@@ -164,7 +165,8 @@ class WallSideSection : public Section {
         [side](const Selected& s) { return s.ofWalls([side](const Wall& w) { return (w.*side).finish; }); },
         [side](const Home& home, const Elements& e, const Finish& finish) {
           return changeWalls(home, e, [&](Wall& w) { (w.*side).finish = finish; });
-        });
+        },
+        Color{});
     addCheck(
         {"sideBaseboard", QT_TRANSLATE_NOOP("idap", "Skirting board"),
          QT_TRANSLATE_NOOP("idap", "Change skirting board"),

@@ -126,7 +126,10 @@ void ColorButton::setOptional(bool optional, const QString& words) {
 
 void ColorButton::choose(std::optional<Color> color) {
   if (color) rememberColor(toQt(*color));
-  if (!mixed_ && color == color_) return;
+  if (!mixed_ && color == color_) {
+    emit colorAbandoned();
+    return;
+  }
   mixed_ = false;
   color_ = color;
   update();

@@ -226,8 +226,9 @@ void MaterialPicker::paintEvent(QPaintEvent*) {
     else if (!f.material.empty())
       picture = MaterialSwatches::shared().material(f.material);
     if (f.color) colour = toQt(*f.color);
-    if (f.empty() && !plainMaterial_.empty()) picture = MaterialSwatches::shared().material(plainMaterial_);
-    if (f.empty() && plainColor_) colour = toQt(*plainColor_);
+    const bool bare = !f.texture && f.material.empty() && !f.color;
+    if (bare && !plainMaterial_.empty()) picture = MaterialSwatches::shared().material(plainMaterial_);
+    if (bare && plainColor_) colour = toQt(*plainColor_);
   }
   if (picture.isNull()) {
     paintSwatch(painter, box, colour, palette());

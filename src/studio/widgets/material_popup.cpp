@@ -22,7 +22,7 @@ namespace {
 
 enum Role { IdRole = Qt::UserRole, HeaderRole };
 
-constexpr int kColumns = 4;
+constexpr int kColumns = 3;
 
 // A swatch with its name under it, or the title of a group over the whole width.
 class Delegate : public QStyledItemDelegate {
@@ -35,7 +35,7 @@ class Delegate : public QStyledItemDelegate {
     const int line = option.fontMetrics.height();
     if (index.data(HeaderRole).toBool()) return {width, line * 3 / 2};
     const int side = width / kColumns;
-    return {side, side * 3 / 4 + line + 4};
+    return {side, side * 3 / 5 + line + 4};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
@@ -46,7 +46,7 @@ class Delegate : public QStyledItemDelegate {
       QFont bold = option.font;
       bold.setBold(true);
       painter->setFont(bold);
-      painter->setPen(option.palette.color(QPalette::Text));
+      painter->setPen(option.palette.color(QPalette::Active, QPalette::Text));
       painter->drawText(option.rect.adjusted(3, 0, 0, -2), Qt::AlignLeft | Qt::AlignBottom, name);
       painter->restore();
       return;
@@ -139,7 +139,7 @@ MaterialPopup::MaterialPopup(const Finish& finish, const std::string& language, 
   list_->setItemDelegate(new Delegate(list_));
   list_->setModel(new QStandardItemModel(list_));
   const int letter = fontMetrics().averageCharWidth(), line = fontMetrics().height();
-  list_->setMinimumSize(letter * 44, line * 16);
+  list_->setMinimumSize(letter * 42, line * 19);
   list_->verticalScrollBar()->setSingleStep(line);
   column->addWidget(list_, 1);
   connect(&MaterialSwatches::shared(), &MaterialSwatches::ready, list_->viewport(),

@@ -36,7 +36,9 @@ SliderField::SliderField(double min, double max, double step, const QString& uni
   slider_->setFocusPolicy(Qt::StrongFocus);
   number_->setRange(min, max);
   number_->setStep(step);
-  number_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  // As wide as its longest number, so that most of a narrow panel is left to the slider.
+  const QString longest = QString::number(std::max(std::abs(min), std::abs(max)), 'f', decimals) + unit;
+  number_->setFixedWidth(fontMetrics().horizontalAdvance(longest) + fontMetrics().height() * 5 / 4);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(slider_, 1);
