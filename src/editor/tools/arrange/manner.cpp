@@ -10,12 +10,13 @@ namespace {
 // Lower case, everything but letters a blank, one before and after: " bed double ".
 std::string wordsOf(const std::string& text) {
   std::string words = " ";
+  bool small = false;  // the letter before was one: doubleBed is two words
   for (const char c : text) {
-    const bool letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
-    if (letter)
-      words += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    else if (words.back() != ' ')
-      words += ' ';
+    const auto letter = static_cast<unsigned char>(c);
+    const bool capital = std::isupper(letter) != 0;
+    if ((!std::isalpha(letter) || (capital && small)) && words.back() != ' ') words += ' ';
+    if (std::isalpha(letter)) words += static_cast<char>(std::tolower(letter));
+    small = std::islower(letter) != 0;
   }
   if (words.back() != ' ') words += ' ';
   return words;
