@@ -195,6 +195,20 @@ TEST_F(Moving, DoorSlidesAndJumpsBetweenWalls) {
   EXPECT_EQ(undoSteps(), 3);
 }
 
+TEST_F(Moving, DoorFindsTheMiddleOfItsWall) {
+  open();
+  const auto in =
+      snapOpening(editor, makeOpening(*editor.catalog().find("idap/door-flush"), {}), {1.5, 0.25}, 0.5);
+  const auto id = start.newId<OpeningId>();
+  start.openings.set(id, *in);
+  open();
+  press({1.5, 0});
+  pointer(PointerEvent::Kind::Move, {2.56, 0.02});
+  EXPECT_EQ(overlay().guides.size(), 1u);
+  release({2.56, 0.02});
+  EXPECT_NEAR(home().openings.find(id)->position.x, 2.5, 1e-9);
+}
+
 TEST_F(Moving, DoorDistanceFromTheCornerCanBeTyped) {
   open();
   const auto in =

@@ -158,6 +158,7 @@ void MoveDrag::aimOpening(const Editor& editor, const PointerEvent& event, Vec3 
   const Elements itself = copies_ ? copied_ : only(opening_);
   placed_.reset();
   if (host || plane() == Plane::XY) placed_ = snapOpening(editor, wanted, at, reach, itself);
+  if (placed_ && !event.modifiers.alt && editor.settings().snapping) centreOpening(editor, itself);
   if (!placed_) {
     placed_ = wanted;
     if (plane() == Plane::XY) placed_->wall = {};
@@ -175,6 +176,22 @@ void MoveDrag::aimOpening(const Editor& editor, const PointerEvent& event, Vec3 
     placed_->position.z = std::max(0.0, snapped.position.z);
   }
   by_ = placed_->position - before().openings.find(opening_)->position;
+}
+
+// In the middle of its wall, when it is nearly there.
+void MoveDrag::centreOpening(const Editor& editor, const Elements& itself) {
+  const Wall* host = before().walls.find(placed_->wall);
+  if (!host) return;
+  const WallPath path(*host);
+  const double middle = path.length() / 2;
+  if (std::abs(path.nearest(planOf(placed_->position)) - middle) > tolerance(last())) return;
+  const Vec2 centre = path.point(middle), aside = perpendicular(path.direction(middle));
+  const double side = dot(rotated(Vec2{0, -1}, placed_->angle), aside) >= 0 ? 1 : -1;
+  const auto centred = snapOpening(editor, *placed_, centre + aside * (side * 1e-3), 0, itself);
+  if (!centred || length(planOf(centred->position) - planOf(placed_->position)) > 2 * tolerance(last()))
+    return;
+  placed_ = centred;
+  if (plane() == Plane::XY) guides_.push_back({centre - aside * 0.5, centre + aside * 0.5});
 }
 
 void MoveDrag::aimPoints(const Editor& editor, Vec3 by) {

@@ -25,6 +25,7 @@ class MoveDrag final : public EditDrag {
   void study(const Editor& editor, AnyId lead);
   void aimPiece(const Editor& editor, Vec3 by, bool off);
   void aimOpening(const Editor& editor, const PointerEvent& event, Vec3 by);
+  void centreOpening(const Editor& editor, const Elements& itself);
   void aimPoints(const Editor& editor, Vec3 by);
   void measure(const Editor& editor);
   void typeDistance();
