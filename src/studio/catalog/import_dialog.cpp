@@ -1,6 +1,7 @@
 #include "studio/catalog/import_dialog.h"
 
 #include <QDialogButtonBox>
+#include <QKeyEvent>
 #include <QStackedWidget>
 
 #include "base/file.h"
@@ -83,9 +84,9 @@ void ImportDialog::Impl::build() {
   buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   finish = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
   finish->setObjectName(QStringLiteral("importFinish"));
-  finish->setDefault(true);
   back = buttons->addButton(QString(), QDialogButtonBox::ResetRole);
   back->setObjectName(QStringLiteral("importBack"));
+  back->setAutoDefault(false);
   auto* layout = new QVBoxLayout(self);
   layout->addWidget(pages, 1);
   layout->addWidget(buttons);
@@ -237,6 +238,11 @@ ImportDialog::ImportDialog(Editor& editor, QWidget* parent)
 ImportDialog::~ImportDialog() = default;
 
 void ImportDialog::chooseFile(const std::filesystem::path& file) { impl_->read(file); }
+
+// Enter ends what is typed into a field; a button that has the keyboard takes it itself.
+void ImportDialog::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) QDialog::keyPressEvent(event);
+}
 
 void ImportDialog::changeEvent(QEvent* event) {
   QDialog::changeEvent(event);

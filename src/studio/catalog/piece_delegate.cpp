@@ -1,5 +1,6 @@
 #include "studio/catalog/piece_delegate.h"
 
+#include <QListView>
 #include <QTextLayout>
 
 #include "studio/catalog/catalog_model.h"
@@ -50,7 +51,14 @@ int PieceDelegate::narrowest(const QFont& font) {
 }
 
 int PieceDelegate::heightFor(const QFont& font, int width) {
-  return width + qCeil(2 * lineHeight(font)) + kPadding;
+  return width + qCeil(2 * lineHeight(font)) + 2 * kPadding;
+}
+
+// All of the grid's cell.
+QSize PieceDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+  if (const auto* grid = qobject_cast<const QListView*>(option.widget)) return grid->gridSize();
+  const int width = narrowest(option.font);
+  return {width, heightFor(option.font, width)};
 }
 
 void PieceDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -17,6 +17,7 @@ class PieceDelegate : public QStyledItemDelegate {
   static int narrowest(const QFont& font);  // width of a cell
   static int heightFor(const QFont& font, int width);
 
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:

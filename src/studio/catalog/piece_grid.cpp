@@ -76,6 +76,7 @@ void PieceGrid::layOut() {
   const QSize size(cell, PieceDelegate::heightFor(font(), cell));
   if (gridSize() == size) return;
   setGridSize(size);
+  scheduleDelayedItemsLayout();
   verticalScrollBar()->setSingleStep(size.height() / 3);
 }
 
