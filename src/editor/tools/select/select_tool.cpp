@@ -6,6 +6,7 @@
 #include "editor/tools/select/move_drag.h"
 #include "editor/tools/select/moving.h"
 #include "editor/tools/select/rectangle_drag.h"
+#include "editor/tools/select/under_pointer.h"
 #include "editor/tools/tool_list.h"
 #include "model/edits/piece_edits.h"
 
@@ -14,74 +15,6 @@ namespace idap {
 namespace {
 
 constexpr double kDragFrom = 4;  // pixels: a click shakes less
-constexpr double kNear = 5;      // pixels
-
-double tolerance(const PointerEvent& event) { return kNear * event.pixel; }
-
-// The group around the pieces that are selected singly, when the user has gone into one.
-GroupId enteredGroup(const Editor& editor) {
-  const Elements& selection = editor.selection();
-  for (const FurnitureId id : selection.furniture)
-    if (const Furniture* piece = editor.home().furniture.find(id); piece && piece->group)
-      return outermost(editor.home(), piece->group);
-  for (const OpeningId id : selection.openings)
-    if (const Opening* piece = editor.home().openings.find(id); piece && piece->group)
-      return outermost(editor.home(), piece->group);
-  return {};
-}
-
-// What a press there means: groups as one, but the pieces of the group that the user has gone into.
-std::vector<AnyId> meantAt(const Editor& editor, const PointerEvent& event) {
-  const GroupId entered = enteredGroup(editor);
-  std::vector<AnyId> ids;
-  for (const AnyId id : membersAt(editor, event.plane, event.at, tolerance(event))) {
-    const AnyId whole = byGroup(editor.home(), id);
-    const AnyId meant = entered && whole == AnyId(entered) ? id : whole;
-    if (std::find(ids.begin(), ids.end(), meant) == ids.end()) ids.push_back(meant);
-  }
-  return ids;
-}
-
-// The edge of the selected room or polyline under the pointer, by the index of the point after it.
-std::optional<std::size_t> ownEdge(const Editor& editor, const PointerEvent& event) {
-  const std::optional<AnyId> one = single(editor.selection());
-  if (!one || event.plane != Plane::XY) return {};
-  const std::vector<Vec2>* points = nullptr;
-  bool closed = true;
-  if (const auto* room = std::get_if<RoomId>(&*one)) {
-    if (const Room* found = editor.home().rooms.find(*room)) points = &found->points;
-  } else if (const auto* line = std::get_if<PolylineId>(&*one)) {
-    if (const Polyline* found = editor.home().polylines.find(*line)) {
-      points = &found->points;
-      closed = found->closed;
-    }
-  }
-  if (!points) return {};
-  const std::size_t n = points->size();
-  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i)
-    if (distanceToSegment(event.at, (*points)[i], (*points)[(i + 1) % n]) <= tolerance(event)) return i + 1;
-  return {};
-}
-
-Home withPoint(const Home& home, AnyId id, std::size_t at, Vec2 point) {
-  if (const auto* room = std::get_if<RoomId>(&id)) return addRoomPoint(home, *room, at, point);
-  Home next = home;
-  const PolylineId lineId = std::get<PolylineId>(id);
-  Polyline line = *home.polylines.find(lineId);
-  line.points.insert(line.points.begin() + static_cast<std::ptrdiff_t>(at), point);
-  next.polylines.set(lineId, std::move(line));
-  return next;
-}
-
-// The floor of a room, a wall that is looked at: a drag that begins there does not mean them.
-bool isGround(const Editor& editor, Plane plane, AnyId id) {
-  if (std::holds_alternative<RoomId>(id)) return true;
-  const auto* wallId = std::get_if<WallId>(&id);
-  const Wall* wall = wallId ? editor.home().walls.find(*wallId) : nullptr;
-  if (!wall || plane == Plane::XY) return false;
-  const Vec2 along = wall->end - wall->start;
-  return std::abs(plane == Plane::XZ ? along.x : along.y) > 2 * wall->thickness;
-}
 
 const SelectHandle* handleAt(const SelectHandles& handles, const PointerEvent& event) {
   const SelectHandle* nearest = nullptr;
@@ -199,6 +132,7 @@ void SelectTool::startDrag(Editor& editor) {
   const PointerEvent press = *pressed_;
   pressed_.reset();
   lastClick_.reset();
+  editor.document().cancel();  // what somebody else left half done
   if (handle_) {
     drag_ = handle_->grab(editor, press);
     handle_.reset();
@@ -291,7 +225,7 @@ Response SelectTool::doubleClick(Editor& editor, const PointerEvent& event) {
   if (beforeCycle_) editor.select(*std::exchange(beforeCycle_, std::nullopt));
   const std::optional<AnyId> one = single(editor.selection());
   if (one && std::holds_alternative<GroupId>(*one)) {
-    for (const AnyId id : membersAt(editor, event.plane, event.at, tolerance(event)))
+    for (const AnyId id : membersAt(editor, event.plane, event.at, kClickReach * event.pixel))
       if (byGroup(editor.home(), id) == *one) {
         editor.select(only(id));
         return {};
