@@ -1338,7 +1338,7 @@
     </message>
     <message>
         <source>Mirror</source>
-        <translation>กระจกเงา</translation>
+        <translation>กลับด้าน</translation>
     </message>
     <message>
         <source>Nails</source>
@@ -2510,7 +2510,7 @@
     </message>
     <message>
         <source>Front side</source>
-        <translation>ตามด้านหน้า</translation>
+        <translation>ด้านหน้า</translation>
     </message>
     <message>
         <source>Puts the pieces in line with the front of the first one, however it is turned</source>
@@ -2518,7 +2518,7 @@
     </message>
     <message>
         <source>Back side</source>
-        <translation>ตามด้านหลัง</translation>
+        <translation>ด้านหลัง</translation>
     </message>
     <message>
         <source>Puts the pieces in line with the back of the first one, however it is turned</source>
@@ -2526,7 +2526,7 @@
     </message>
     <message>
         <source>Left side</source>
-        <translation>ตามด้านซ้าย</translation>
+        <translation>ด้านซ้าย</translation>
     </message>
     <message>
         <source>Puts the pieces in line with the left side of the first one, however it is turned</source>
@@ -2534,7 +2534,7 @@
     </message>
     <message>
         <source>Right side</source>
-        <translation>ตามด้านขวา</translation>
+        <translation>ด้านขวา</translation>
     </message>
     <message>
         <source>Puts the pieces in line with the right side of the first one, however it is turned</source>
@@ -4564,6 +4564,10 @@
         <source>Double-click makes this a room</source>
         <translation>ดับเบิลคลิกเพื่อสร้างเป็นห้อง</translation>
     </message>
+    <message>
+        <source>Mirror glass</source>
+        <translation>กระจกเงา</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -4925,24 +4929,10 @@
     </message>
 </context>
 <context>
-    <name>idap::CommonSection</name>
-    <message>
-        <source>Several levels</source>
-        <translation>หลายชั้น</translation>
-    </message>
-</context>
-<context>
     <name>idap::CompassFace</name>
     <message>
         <source>N</source>
         <translation>เหนือ</translation>
-    </message>
-</context>
-<context>
-    <name>idap::DimensionSection</name>
-    <message>
-        <source>Several values</source>
-        <translation>หลายค่า</translation>
     </message>
 </context>
 <context>
@@ -5069,29 +5059,10 @@
     </message>
 </context>
 <context>
-    <name>idap::FinishSection</name>
-    <message>
-        <source>Reading the parts of the model…</source>
-        <translation>กำลังอ่านส่วนต่าง ๆ ของโมเดล…</translation>
-    </message>
-    <message>
-        <source>The model cannot be read: %1</source>
-        <translation>อ่านโมเดลไม่ได้: %1</translation>
-    </message>
-    <message>
-        <source>As it comes</source>
-        <translation>ตามเดิม</translation>
-    </message>
-    <message>
-        <source>Material, colour or picture of this part.</source>
-        <translation>วัสดุ สี หรือรูปภาพของส่วนนี้</translation>
-    </message>
-</context>
-<context>
     <name>idap::FurnitureList</name>
     <message>
         <source>Filter</source>
-        <translation>แผ่นกรอง</translation>
+        <translation>กรอง</translation>
     </message>
     <message>
         <source>Show only pieces whose name, kind, level or creator holds these words</source>
@@ -5737,24 +5708,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     </message>
 </context>
 <context>
-    <name>idap::OpeningSection</name>
-    <message>
-        <source>In no wall</source>
-        <translation>ไม่อยู่ในผนัง</translation>
-    </message>
-    <message>
-        <source>%1 long, %2 thick</source>
-        <translation>ยาว %1 หนา %2</translation>
-    </message>
-</context>
-<context>
-    <name>idap::ParametersSection</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 ถึง %2</translation>
-    </message>
-</context>
-<context>
     <name>idap::PicturePanel</name>
     <message>
         <source>Where the picture is seen from: above, or a camera of the home</source>
@@ -6078,6 +6031,89 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     </message>
 </context>
 <context>
+    <name>idap::Section</name>
+    <message>
+        <source>Several levels</source>
+        <translation>หลายชั้น</translation>
+    </message>
+    <message>
+        <source>Reading the parts of the model…</source>
+        <translation>กำลังอ่านส่วนต่าง ๆ ของโมเดล…</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: %1</source>
+        <translation>อ่านโมเดลไม่ได้: %1</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>ตามเดิม</translation>
+    </message>
+    <message>
+        <source>%1, tinted</source>
+        <translation>%1, ย้อมสี</translation>
+    </message>
+    <message>
+        <source>Material, colour or picture of this part.</source>
+        <translation>วัสดุ สี หรือรูปภาพของส่วนนี้</translation>
+    </message>
+    <message>
+        <source>Below the horizon</source>
+        <translation>อยู่ใต้ขอบฟ้า</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>เหนือ</translation>
+    </message>
+    <message>
+        <source>north-east</source>
+        <translation>ตะวันออกเฉียงเหนือ</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>ตะวันออก</translation>
+    </message>
+    <message>
+        <source>south-east</source>
+        <translation>ตะวันออกเฉียงใต้</translation>
+    </message>
+    <message>
+        <source>south</source>
+        <translation>ใต้</translation>
+    </message>
+    <message>
+        <source>south-west</source>
+        <translation>ตะวันตกเฉียงใต้</translation>
+    </message>
+    <message>
+        <source>west</source>
+        <translation>ตะวันตก</translation>
+    </message>
+    <message>
+        <source>north-west</source>
+        <translation>ตะวันตกเฉียงเหนือ</translation>
+    </message>
+    <message>
+        <source>%1 high in the %2</source>
+        <translation>สูง %1 ทางทิศ%2</translation>
+    </message>
+    <message>
+        <source>In no wall</source>
+        <translation>ไม่อยู่ในผนัง</translation>
+    </message>
+    <message>
+        <source>%1 long, %2 thick</source>
+        <translation>ยาว %1 หนา %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 ถึง %2</translation>
+    </message>
+    <message>
+        <source>Several values</source>
+        <translation>หลายค่า</translation>
+    </message>
+</context>
+<context>
     <name>idap::SiteDialog</name>
     <message>
         <source>Compass and place</source>
@@ -6134,49 +6170,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>(another place)</source>
         <translation>(ที่อื่น)</translation>
-    </message>
-</context>
-<context>
-    <name>idap::SiteSection</name>
-    <message>
-        <source>Below the horizon</source>
-        <translation>อยู่ใต้ขอบฟ้า</translation>
-    </message>
-    <message>
-        <source>north</source>
-        <translation>เหนือ</translation>
-    </message>
-    <message>
-        <source>north-east</source>
-        <translation>ตะวันออกเฉียงเหนือ</translation>
-    </message>
-    <message>
-        <source>east</source>
-        <translation>ตะวันออก</translation>
-    </message>
-    <message>
-        <source>south-east</source>
-        <translation>ตะวันออกเฉียงใต้</translation>
-    </message>
-    <message>
-        <source>south</source>
-        <translation>ใต้</translation>
-    </message>
-    <message>
-        <source>south-west</source>
-        <translation>ตะวันตกเฉียงใต้</translation>
-    </message>
-    <message>
-        <source>west</source>
-        <translation>ตะวันตก</translation>
-    </message>
-    <message>
-        <source>north-west</source>
-        <translation>ตะวันตกเฉียงเหนือ</translation>
-    </message>
-    <message>
-        <source>%1 high in the %2</source>
-        <translation>สูง %1 ทางทิศ%2</translation>
     </message>
 </context>
 <context>

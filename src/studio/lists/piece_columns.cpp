@@ -12,7 +12,7 @@ namespace idap {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("FurnitureList", text); }
+QString wording(const char* text) { return QCoreApplication::translate("FurnitureList", text); }
 
 struct ColumnInfo {
   const char* title;
@@ -95,22 +95,23 @@ CatalogPiecePtr catalogPieceOf(const Editor& editor, const Piece& piece) {
 QString kindText(const Home& home, RowId row) {
   if (const Group* group = groupOf(home, row)) {
     (void)group;
-    return tr("Group");
+    return translated(QT_TRANSLATE_NOOP("idap", "Group"));
   }
   if (const Opening* opening = openingOf(home, row)) {
     switch (opening->kind) {
       case OpeningKind::Door:
-        return tr("Door");
+        return translated(QT_TRANSLATE_NOOP("idap", "Door"));
       case OpeningKind::Window:
-        return tr("Window");
+        return translated(QT_TRANSLATE_NOOP("idap", "Window"));
       case OpeningKind::Bare:
-        return tr("Opening");
+        return translated(QT_TRANSLATE_NOOP("idap", "Opening"));
     }
   }
   const Furniture* furniture = furnitureOf(home, row);
   if (!furniture) return {};
-  if (furniture->lamp) return tr("Lamp");
-  return furniture->staircaseCutOut.empty() ? tr("Furniture") : tr("Stairs");
+  if (furniture->lamp) return translated(QT_TRANSLATE_NOOP("idap", "Lamp"));
+  return furniture->staircaseCutOut.empty() ? translated(QT_TRANSLATE_NOOP("idap", "Furniture"))
+                                            : translated(QT_TRANSLATE_NOOP("idap", "Stairs"));
 }
 
 QString categoryText(const Editor& editor, const Piece& piece) {
@@ -217,8 +218,8 @@ std::uint64_t valueOf(RowId id) {
   return std::visit([](auto i) { return i.value; }, id);
 }
 
-QString columnTitle(PieceColumn column) { return tr(infoOf(column).title); }
-QString columnTip(PieceColumn column) { return tr(infoOf(column).tip); }
+QString columnTitle(PieceColumn column) { return wording(infoOf(column).title); }
+QString columnTip(PieceColumn column) { return wording(infoOf(column).tip); }
 bool shownAtFirst(PieceColumn column) { return infoOf(column).shown; }
 bool isNumber(PieceColumn column) { return infoOf(column).number; }
 bool isSwitch(PieceColumn column) {
@@ -290,7 +291,8 @@ QVariant sortValue(const Editor& editor, RowId row, PieceColumn column) {
 QString exportText(const Editor& editor, RowId row, PieceColumn column) {
   if (isSwitch(column)) {
     if (std::holds_alternative<GroupId>(row) && column != PieceColumn::Visible) return {};
-    return isOn(editor.home(), row, column) ? tr("yes") : tr("no");
+    return isOn(editor.home(), row, column) ? translated(QT_TRANSLATE_NOOP("idap", "yes"))
+                                            : translated(QT_TRANSLATE_NOOP("idap", "no"));
   }
   if (!isNumber(column)) return cellText(editor, row, column);
   const auto number = numberOf(editor.home(), row, column);

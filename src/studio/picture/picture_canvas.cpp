@@ -44,4 +44,6 @@ void PictureCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) emit doubleClicked();
 }
 
+void PictureCanvas::resizeEvent(QResizeEvent*) { emit resized(); }
+
 }  // namespace idap

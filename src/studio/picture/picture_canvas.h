@@ -19,10 +19,12 @@ class PictureCanvas : public QWidget {
 
  signals:
   void doubleClicked();
+  void resized();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QImage picture_;

@@ -52,7 +52,7 @@ struct PicturePanel::Impl {
   QToolButton *trace = nullptr, *stop = nullptr, *save = nullptr, *maximise = nullptr;
   PictureCanvas* canvas = nullptr;
   QWidget* empty = nullptr;  // what the canvas shows before the first picture
-  QLabel *emptyTitle = nullptr, *emptyText = nullptr;
+  QLabel *emptyDrawing = nullptr, *emptyTitle = nullptr, *emptyText = nullptr;
   QPushButton* begin = nullptr;
   QPushButton* note = nullptr;  // the home has changed since
   QFrame* progressRow = nullptr;
@@ -74,6 +74,7 @@ struct PicturePanel::Impl {
   void showTime();
   void showTimeLeft();
   void showState();
+  void fitEmpty();
   void forget();
   const Camera* chosenCamera() const {
     return chosen == CameraId{} ? nullptr : editor.home().cameras.find(chosen);
@@ -108,10 +109,10 @@ void PicturePanel::Impl::build() {
 
   empty = new QWidget(canvas);
   empty->setObjectName(QStringLiteral("empty"));
-  auto* drawing = new QLabel(empty);
+  emptyDrawing = new QLabel(empty);
   const int side = 3 * panel.fontMetrics().height();
-  drawing->setPixmap(icon("ray-trace").pixmap(QSize(side, side), panel.devicePixelRatioF()));
-  drawing->setAlignment(Qt::AlignCenter);
+  emptyDrawing->setPixmap(icon("ray-trace").pixmap(QSize(side, side), panel.devicePixelRatioF()));
+  emptyDrawing->setAlignment(Qt::AlignCenter);
   emptyTitle = new QLabel(empty);
   emptyTitle->setAlignment(Qt::AlignCenter);
   QFont large = panel.font();
@@ -126,7 +127,7 @@ void PicturePanel::Impl::build() {
   auto* column = new QVBoxLayout(empty);
   column->setSpacing(kGap);
   column->addStretch();
-  column->addWidget(drawing);
+  column->addWidget(emptyDrawing);
   column->addWidget(emptyTitle);
   column->addWidget(emptyText);
   column->addSpacing(kGap);
@@ -185,6 +186,7 @@ void PicturePanel::Impl::retranslate() {
   progress->setToolTip(tr("How far the picture is: it becomes finer until then"));
   listCameras();
   showTimeLeft();
+  fitEmpty();
 }
 
 void PicturePanel::Impl::listCameras() {
@@ -226,13 +228,27 @@ void PicturePanel::Impl::showTimeLeft() {
 
 void PicturePanel::Impl::showState() {
   const bool busy = worker.busy(), none = canvas->picture().isNull();
-  trace->setVisible(!busy);  // one takes the other's place
-  stop->setVisible(busy);
+  // One takes the other's place; first out, then in, so that the panel never needs the room of both.
+  (busy ? trace : stop)->hide();
+  (busy ? stop : trace)->show();
   stop->setEnabled(busy);
   progressRow->setVisible(busy);
   save->setEnabled(!none);
   empty->setVisible(none && !busy);
   note->setVisible(!none && !busy && panel.outdated());
+}
+
+// Where there is little room, the button matters most, then the words, then the drawing.
+void PicturePanel::Impl::fitEmpty() {
+  const int line = panel.fontMetrics().lineSpacing(), width = std::max(canvas->width() - 4 * kGap, 1);
+  const auto high = [&](QLabel* label) {
+    return label->hasHeightForWidth() ? label->heightForWidth(width) : label->sizeHint().height();
+  };
+  int room = canvas->height() - 4 * kGap - begin->minimumHeight();
+  for (QLabel* label : {emptyTitle, emptyText, emptyDrawing}) {
+    room -= high(label) + kGap;
+    label->setVisible(room > line / 2);
+  }
 }
 
 // Another document: its picture is not this one.
@@ -255,6 +271,7 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
   connect(d.stop, &QToolButton::clicked, this, &PicturePanel::stop);
   connect(d.save, &QToolButton::clicked, this, &PicturePanel::askWhereToSave);
   connect(d.maximise, &QToolButton::clicked, this, &PicturePanel::maximiseRequested);
+  connect(d.canvas, &PictureCanvas::resized, this, [&d] { d.fitEmpty(); });
   connect(d.canvas, &PictureCanvas::doubleClicked, this, &PicturePanel::maximiseRequested);
   connect(d.camera, &QComboBox::currentIndexChanged, this, [&d] {
     d.chosen = CameraId{d.camera->currentData().toULongLong()};

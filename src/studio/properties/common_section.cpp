@@ -126,7 +126,7 @@ class CommonSection : public Section {
     }
     const auto at = std::find(levels_.begin(), levels_.end(), common.value);
     const int index = common.mixed || at == levels_.end() ? -1 : static_cast<int>(at - levels_.begin());
-    level_->setPlaceholderText(common.mixed ? tr("Several levels") : QString());
+    level_->setPlaceholderText(common.mixed ? Section::tr("Several levels") : QString());
     if (level_->currentIndex() != index) level_->setCurrentIndex(index);
   }
 

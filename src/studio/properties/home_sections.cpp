@@ -204,11 +204,12 @@ class SiteSection : public Section {
  private:
   static QString sunWords(const Site& site) {
     const SunPosition sun = sunPosition(site.latitude, site.longitude, site.time);
-    if (sun.altitude < 0) return tr("Below the horizon");
-    const QString sides[] = {tr("north"), tr("north-east"), tr("east"), tr("south-east"),
-                             tr("south"), tr("south-west"), tr("west"), tr("north-west")};
+    if (sun.altitude < 0) return Section::tr("Below the horizon");
+    const QString sides[] = {Section::tr("north"),      Section::tr("north-east"), Section::tr("east"),
+                             Section::tr("south-east"), Section::tr("south"),      Section::tr("south-west"),
+                             Section::tr("west"),       Section::tr("north-west")};
     const auto side = static_cast<std::size_t>(std::lround(sun.azimuth / (kPi / 4))) % 8;
-    return tr("%1 high in the %2").arg(angleText(sun.altitude), sides[side]);
+    return Section::tr("%1 high in the %2").arg(angleText(sun.altitude), sides[side]);
   }
   template <class V>
   static Write<V> change(V Site::*member) {

@@ -75,8 +75,8 @@ class OpeningSection : public Section {
               const auto wall = s.ofOpenings([](const Opening& o) { return o.wall; });
               if (!wall.any || wall.mixed) return QString();
               const Wall* found = s.home.walls.find(wall.value);
-              if (!found) return tr("In no wall");
-              return tr("%1 long, %2 thick")
+              if (!found) return Section::tr("In no wall");
+              return Section::tr("%1 long, %2 thick")
                   .arg(lengthText(WallPath(*found).length(), s.settings.unit),
                        lengthText(found->thickness, s.settings.unit));
             });

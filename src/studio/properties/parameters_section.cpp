@@ -98,7 +98,8 @@ class ParametersSection : public Section {
         const auto found = p.model.parameters.find(shown[i].name);
         return scale * (found == p.model.parameters.end() ? shown[i].value : found->second);
       });
-      field->setToolTip(asLength ? QString() : tr("%1 to %2").arg(field->minimum()).arg(field->maximum()));
+      field->setToolTip(asLength ? QString()
+                                 : Section::tr("%1 to %2").arg(field->minimum()).arg(field->maximum()));
       if (common.mixed)
         field->setMixed();
       else

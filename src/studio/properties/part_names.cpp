@@ -92,7 +92,7 @@ QString partName(const std::string& slot) {
       {"mat", QT_TRANSLATE_NOOP("idap", "Mat")},
       {"mattress", QT_TRANSLATE_NOOP("idap", "Mattress")},
       {"metal", QT_TRANSLATE_NOOP("idap", "Metal")},
-      {"mirror", QT_TRANSLATE_NOOP("idap", "Mirror")},
+      {"mirror", QT_TRANSLATE_NOOP("idap", "Mirror glass")},
       {"nails", QT_TRANSLATE_NOOP("idap", "Nails")},
       {"pad", QT_TRANSLATE_NOOP("idap", "Pad")},
       {"pads", QT_TRANSLATE_NOOP("idap", "Pads")},

@@ -166,7 +166,8 @@ class DimensionSection : public Section {
               const auto measured = s.ofDimensions([](const Dimension& d) {
                 return std::hypot(length(d.end - d.start), d.endElevation - d.startElevation);
               });
-              return measured.mixed ? tr("Several values") : lengthText(measured.value, s.settings.unit);
+              return measured.mixed ? Section::tr("Several values")
+                                    : lengthText(measured.value, s.settings.unit);
             });
     addLength(
         {"dimensionOffset", QT_TRANSLATE_NOOP("idap", "Offset"),

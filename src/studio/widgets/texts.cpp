@@ -1,6 +1,7 @@
 #include "studio/widgets/texts.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,11 @@ QString translated(const Text& text) {
   QString words = translated(text.source.c_str());
   for (const std::string& argument : text.arguments) words = words.arg(toQt(argument));
   return words;
+}
+
+QString withoutKey(QString text) {
+  static const QRegularExpression inBrackets(QStringLiteral("\\(&.\\)"));
+  return text.remove(inBrackets).remove(QLatin1Char('&'));
 }
 
 QString lengthText(double metres, LengthUnit unit, int decimals) {

@@ -14,6 +14,9 @@ namespace idap {
 QString translated(const char* english);
 QString translated(const Text& text);
 
+// "Open…" of "&Open…" and "เปิด…" of "เปิด(&O)…": a menu's words without the key that takes it.
+QString withoutKey(QString text);
+
 inline QString toQt(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 inline std::string fromQt(const QString& text) { return text.toStdString(); }
 

@@ -105,10 +105,9 @@ void WindowActions::retranslate() {
     const QString name = translated(entry.text.name);
     action->setText(name);
     action->setIconText(*entry.text.word ? translated(entry.text.word)
-                                         : QString(name).remove(QLatin1Char('&')));
+                                         : withoutKey(name));
     action->setIcon(icon(entry.text.id));
-    QString plain = name;
-    plain.remove(QLatin1Char('&'));
+    const QString plain = withoutKey(name);
     QString tip = QStringLiteral("<b>") + plain.toHtmlEscaped() + QStringLiteral("</b>");
     if (!action->shortcut().isEmpty())
       tip += QStringLiteral(" (") + action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped() +

@@ -56,15 +56,14 @@ void KeysDialog::fill() {
   heading(tr("Everywhere"));
   std::vector<std::pair<QString, const QAction*>> named;
   for (const auto& [id, action] : actions_.all())
-    if (!action->shortcut().isEmpty()) named.emplace_back(action->text().remove(QLatin1Char('&')), action);
+    if (!action->shortcut().isEmpty()) named.emplace_back(withoutKey(action->text()), action);
   std::sort(named.begin(), named.end(),
             [](const auto& a, const auto& b) { return a.first.localeAwareCompare(b.first) < 0; });
   for (auto& [name, action] : named) {
     QStringList keys;
     for (const QKeySequence& sequence : action->shortcuts())
       keys << sequence.toString(QKeySequence::NativeText);
-    QString text = action->text();
-    text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+    const QString text = withoutKey(action->text()).remove(QStringLiteral("…"));
     const QString tip = action->statusTip();
     key(keys.join(QStringLiteral(", ")), tip.isEmpty() ? text : text + QStringLiteral(": ") + tip);
   }
