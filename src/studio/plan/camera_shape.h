@@ -7,8 +7,6 @@
 
 namespace idap {
 
-inline constexpr double kCameraReach = 0.9;  // m, of the cone
-
 Box2 cameraBox(Plane plane, const Camera& camera);
 void drawCamera(Canvas& canvas, Plane plane, const Camera& camera, bool strong);
 

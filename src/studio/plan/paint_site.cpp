@@ -2,6 +2,7 @@
 #include <QPainterPath>
 #include <cmath>
 
+#include "editor/hit_test_shapes.h"
 #include "studio/plan/camera_shape.h"
 #include "studio/plan/painters.h"
 #include "studio/plan/pictures.h"
@@ -107,7 +108,7 @@ class CameraPainter : public Painter {
 
 Box2 cameraBox(Plane plane, const Camera& camera) {
   const Vec2 eye = project(plane, camera.eye);
-  return grown({eye, eye}, kCameraReach);
+  return grown({eye, eye}, kCameraCone);
 }
 
 void drawCamera(Canvas& c, Plane plane, const Camera& camera, bool strong) {
@@ -122,7 +123,7 @@ void drawCamera(Canvas& c, Plane plane, const Camera& camera, bool strong) {
     double half =
         plane == Plane::XY ? camera.fieldOfView / 2 : std::atan(std::tan(camera.fieldOfView / 2) * 0.75);
     half = std::clamp(half, 0.05, kPi * 0.49);
-    const double reach = kCameraReach * (0.4 + 0.6 * share);
+    const double reach = kCameraCone * (0.4 + 0.6 * share);
     const Vec2 left = eye + rotated(way, half) * reach, right = eye + rotated(way, -half) * reach;
     QColor cone = color;
     cone.setAlphaF(strong ? 0.16f : 0.1f);

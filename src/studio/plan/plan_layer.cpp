@@ -9,7 +9,7 @@ namespace idap {
 
 namespace {
 
-constexpr int kStrip = 96;  // device pixels, painted at once when time is short
+constexpr int kStrip = 64;  // device pixels, painted at once when time is short
 
 }  // namespace
 
@@ -65,6 +65,7 @@ void PlanLayer::setView(const ViewMap& view) {
 void PlanLayer::markAll() {
   stale_ = deviceRect();
   whole_ = true;
+  spent_ = 0;
 }
 
 void PlanLayer::mark(const QRectF& logical) {
@@ -95,7 +96,10 @@ void PlanLayer::repair(const Paint& paint, double budget) {
     stale_ -= part;
     if (budget > 0 && double(clock.nsecsElapsed()) * 1e-6 > budget) break;
   }
-  if (stale_.isEmpty()) whole_ = false;
+  spent_ += double(clock.nsecsElapsed()) * 1e-6;
+  if (!stale_.isEmpty() || !whole_) return;
+  whole_ = false;
+  cost_ = spent_;
 }
 
 void PlanLayer::draw(QPainter& painter, const QRect& logical) const {

@@ -25,6 +25,7 @@ class PlanLayer {
   void mark(const QRectF& logical);
   bool stale() const { return !stale_.isEmpty(); }
   bool wholeStale() const { return whole_; }
+  double wholeCost() const { return cost_; }  // ms that painting all took the last time
 
   // Brings everything up to date; with a budget (ms) as much as fits, at least a strip.
   void repair(const Paint& paint, double budget = 0);
@@ -39,6 +40,7 @@ class PlanLayer {
   ViewMap view_;
   QRegion stale_;  // device pixels
   bool whole_ = true;
+  double spent_ = 0, cost_ = 0;  // ms, on the whole that is being painted; on the last one
 };
 
 }  // namespace idap

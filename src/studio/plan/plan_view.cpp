@@ -31,6 +31,7 @@ constexpr double kLeastScale = 0.5, kMostScale = 20'000;  // pixels a metre
 constexpr double kEmptyHome = 10;                         // m that a home without anything shows
 constexpr double kNear = 5;                               // pixels: what the pointer is taken to be on
 constexpr double kFrame = 8;                              // ms of a frame that painting anew may take
+constexpr int kRest = 80;                                 // ms after the last turn of the wheel
 constexpr int kFollow = 30;  // ms between two steps of a view that follows the pointer
 
 }  // namespace
@@ -49,8 +50,10 @@ struct PlanView::Impl {
   std::optional<QPointF> pointer;
   bool panning = false, spaceHeld = false, menuPressed = false, dragging = false;
   QPointF panFrom, panOrigin;
-  int usedKey = 0;  // was taken as a shortcut's override already
-  QTimer follow;    // pans while a drag is held outside
+  int usedKey = 0;       // was taken as a shortcut's override already
+  QElapsedTimer zoomed;  // since the wheel turned; invalid when what it left is painted
+  QTimer rest;           // goes on painting
+  QTimer follow;         // pans while a drag is held outside
 
   Impl(PlanView& view_, Editor& editor_, Plane plane)
       : self(view_),
@@ -81,6 +84,7 @@ struct PlanView::Impl {
     const double real = next.scale / view.scale;
     next.origin = still + (view.origin - still) * real;
     fitted = false;
+    zoomed.start();
     setView(next);
   }
   void panBy(QPointF pixels) {
@@ -202,14 +206,23 @@ struct PlanView::Impl {
     layer.setSize(self.size(), self.devicePixelRatioF(), colors.paper);
     layer.setView(view);
     const QFont f = font();
-    layer.repair(
-        [&](QPainter& painter, const QRectF& part) {
-          // Lines end a little outside, where their smoothed ends are not seen.
-          const double slack = 2 / view.scale;
-          scene.paint(painter, view, colors, grown(view.toPlane(part), slack), f, false);
-        },
-        layer.wholeStale() ? kFrame : 0);
-    if (layer.stale()) QTimer::singleShot(0, &self, [this] { self.update(); });
+    // While the wheel turns a picture that is costly to paint is only stretched; when it rests, strip by
+    // strip takes the stretched one's place. All other causes have it painted at once.
+    const bool zooming = zoomed.isValid() && zoomed.elapsed() < kRest;
+    const bool costly = layer.wholeStale() && layer.wholeCost() > kFrame;
+    if (zooming && costly) {
+      rest.start(kRest);
+    } else {
+      layer.repair(
+          [&](QPainter& painter, const QRectF& part) {
+            // Lines end a little outside, where their smoothed ends are not seen.
+            const double slack = 2 / view.scale;
+            scene.paint(painter, view, colors, grown(view.toPlane(part), slack), f, false);
+          },
+          costly && zoomed.isValid() ? kFrame : 0);
+      if (!layer.stale()) zoomed.invalidate();
+      if (layer.stale()) rest.start(0);
+    }
 
     layer.draw(p, area);
     p.setRenderHint(QPainter::Antialiasing);
@@ -259,6 +272,8 @@ PlanView::PlanView(Editor& editor, Plane plane, QWidget* parent)
     update();
   });
   connect(impl_->caption, &PlanCaption::maximiseRequested, this, &PlanView::maximiseRequested);
+  impl_->rest.setSingleShot(true);
+  connect(&impl_->rest, &QTimer::timeout, this, [this] { update(); });
   impl_->follow.setInterval(kFollow);
   connect(&impl_->follow, &QTimer::timeout, this, [this] {
     if (!impl_->pointer || !(QApplication::mouseButtons() & Qt::LeftButton)) {

