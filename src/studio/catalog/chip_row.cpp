@@ -22,7 +22,10 @@ void ChipRow::setChips(std::vector<Chip> chips, const std::set<std::string>& on)
   on_ = on;
   if (chips != chips_) {
     chips_ = std::move(chips);
-    for (QToolButton* button : buttons_) button->deleteLater();
+    for (QToolButton* button : buttons_) {
+      button->hide();
+      button->deleteLater();
+    }
     buttons_.clear();
     for (const Chip& chip : chips_) {
       auto* button = new QToolButton(this);
