@@ -51,10 +51,10 @@ std::vector<Command> alignCommands() {
                                   "Puts the left edges of the selected pieces in line with the first one's"),
                 align<Alignment::Left>),
       alignment(
-          "align-centre", QT_TRANSLATE_NOOP("idap", "Centre"),
+          "align-centre-horizontal", QT_TRANSLATE_NOOP("idap", "Centre"),
           QT_TRANSLATE_NOOP(
               "idap", "Puts the middles of the selected pieces above each other, as the first one stands"),
-          align<Alignment::CentreVertical>),
+          align<Alignment::CentreHorizontal>),
       alignment("align-right", QT_TRANSLATE_NOOP("idap", "Right"),
                 QT_TRANSLATE_NOOP("idap",
                                   "Puts the right edges of the selected pieces in line with the first one's"),
@@ -63,10 +63,10 @@ std::vector<Command> alignCommands() {
                 QT_TRANSLATE_NOOP("idap", "Puts the upper edges on the plan in line with the first one's"),
                 align<Alignment::Top>),
       alignment(
-          "align-middle", QT_TRANSLATE_NOOP("idap", "Middle"),
+          "align-centre-vertical", QT_TRANSLATE_NOOP("idap", "Middle"),
           QT_TRANSLATE_NOOP(
               "idap", "Puts the middles of the selected pieces beside each other, as the first one stands"),
-          align<Alignment::CentreHorizontal>),
+          align<Alignment::CentreVertical>),
       alignment("align-bottom", QT_TRANSLATE_NOOP("idap", "Bottom"),
                 QT_TRANSLATE_NOOP("idap", "Puts the lower edges on the plan in line with the first one's"),
                 align<Alignment::Bottom>),

@@ -156,13 +156,13 @@ Home alignElements(const Home& home, const Elements& elements, Alignment alignme
       return alignOn(home, units, {1, 0}, Line::Low);
     case Alignment::Right:
       return alignOn(home, units, {1, 0}, Line::High);
-    case Alignment::CentreVertical:
+    case Alignment::CentreHorizontal:
       return alignOn(home, units, {1, 0}, Line::Middle);
     case Alignment::Top:
       return alignOn(home, units, {0, 1}, Line::High);
     case Alignment::Bottom:
       return alignOn(home, units, {0, 1}, Line::Low);
-    case Alignment::CentreHorizontal:
+    case Alignment::CentreVertical:
       return alignOn(home, units, {0, 1}, Line::Middle);
     case Alignment::FrontSide:
       return alignOn(home, units, back, Line::Low);

@@ -5,9 +5,10 @@
 
 namespace idap {
 
-// The ten ways of lining pieces up with the first (lead) one. Left, right, top (far), bottom (near) by the
-// bounding boxes on the plan; the Side ones along the lead's own axes where it is turned; SideBySide puts
-// them in a row beside it.
+// The ways of lining pieces up with the lead: what cannot move (locked, or held by a wall) if there is such a
+// piece, or else the first in order of id. Left, right, top (far), bottom (near) by the bounding boxes on the
+// plan; CentreHorizontal brings the middles to one x, CentreVertical to one y; the Side ones along the lead's
+// own axes where it is turned; SideBySide puts them in a row beside it, backs in line.
 enum class Alignment {
   Left,
   Right,
@@ -21,20 +22,22 @@ enum class Alignment {
   RightSide,
   SideBySide
 };
-// Pieces and groups (each as one); lead is an element of the selection.
+// Pieces and groups, each as one.
 Home alignElements(const Home& home, const Elements& elements, Alignment alignment);
 // The first and last along the axis stay, the gaps between become equal.
 Home distributeElements(const Home& home, const Elements& elements, bool horizontally);
 
-// Left and right exchanged about the middle of what is selected.
+// Left and right exchanged: of one piece, and of doors in walls, where they stand; of several elements about
+// the middle of them all.
 Home mirrorElements(const Home& home, const Elements& elements);
-// The whole plan of a level (all levels for none given), mirrored about a vertical line through its middle.
+// The whole plan, all levels, mirrored about a vertical (horizontally) or a level line through its middle.
 Home flipPlan(const Home& home, bool horizontally);
 
 // To the floor, or on top of what is under it (a table).
 Home resetElevations(const Home& home, const Elements& elements);
 
-// Copies, moved; groups and all, with their doors' walls where these are copied too. The copies are selected.
+// Copies, moved; groups with all in them, walls with their doors. A door copied without its wall belongs to
+// the wall it comes to lie in. copies is what to select.
 struct CopyEdit {
   Home home;
   Elements copies;

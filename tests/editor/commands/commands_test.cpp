@@ -178,7 +178,7 @@ TEST_F(Commands, RoomsAndDimensionsFollow) {
   chosen.groups = {kDining};
   chosen.openings = {kWindow};
   editor.select(chosen);
-  run("align-centre");
+  run("align-centre-horizontal");
   EXPECT_NEAR(home().dimensions.begin()->second->start.x, 3.8, 1e-9);
 }
 

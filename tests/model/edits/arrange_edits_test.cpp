@@ -41,10 +41,10 @@ TEST(Align, EdgesAndMiddlesFollowTheFirst) {
   const auto b = [&](Alignment way) { return at(alignElements(t.home, t.all, way), t.b); };
   expectNear(b(Alignment::Left), {-0.5, 3, 0});
   expectNear(b(Alignment::Right), {0.5, 3, 0});
-  expectNear(b(Alignment::CentreVertical), {0, 3, 0});
+  expectNear(b(Alignment::CentreHorizontal), {0, 3, 0});
   expectNear(b(Alignment::Top), {5, -0.5, 0});
   expectNear(b(Alignment::Bottom), {5, 0.5, 0});
-  expectNear(b(Alignment::CentreHorizontal), {5, 0, 0});
+  expectNear(b(Alignment::CentreVertical), {5, 0, 0});
   const Home left = alignElements(t.home, t.all, Alignment::Left);
   expectNear(at(left, t.a), {0, 0, 0});
   expectNear(at(left, t.c), {-0.75, 1, 0.5});
@@ -83,7 +83,7 @@ TEST(Align, PiecesLineUpWithAWindowThatItsWallHolds) {
   Elements both;
   both.openings = {OpeningId{7}};
   both.furniture = {FurnitureId{9}};
-  const Home aligned = alignElements(home, both, Alignment::CentreVertical);
+  const Home aligned = alignElements(home, both, Alignment::CentreHorizontal);
   EXPECT_EQ(aligned.openings, home.openings);
   EXPECT_NEAR(at(aligned, FurnitureId{9}).x, 4.5, 1e-12);
 }
