@@ -74,6 +74,7 @@ struct PicturePanel::Impl {
   void showTime();
   void showTimeLeft();
   void showState();
+  void drawEmpty();
   void fitEmpty();
   void forget();
   const Camera* chosenCamera() const {
@@ -110,8 +111,7 @@ void PicturePanel::Impl::build() {
   empty = new QWidget(canvas);
   empty->setObjectName(QStringLiteral("empty"));
   emptyDrawing = new QLabel(empty);
-  const int side = 3 * panel.fontMetrics().height();
-  emptyDrawing->setPixmap(icon("ray-trace").pixmap(QSize(side, side), panel.devicePixelRatioF()));
+  drawEmpty();
   emptyDrawing->setAlignment(Qt::AlignCenter);
   emptyTitle = new QLabel(empty);
   emptyTitle->setAlignment(Qt::AlignCenter);
@@ -236,6 +236,12 @@ void PicturePanel::Impl::showState() {
   save->setEnabled(!none);
   empty->setVisible(none && !busy);
   note->setVisible(!none && !busy && panel.outdated());
+}
+
+// In the colour of the theme.
+void PicturePanel::Impl::drawEmpty() {
+  const int side = 3 * panel.fontMetrics().height();
+  emptyDrawing->setPixmap(icon("ray-trace").pixmap(QSize(side, side), panel.devicePixelRatioF()));
 }
 
 // Where there is little room, the button matters most, then the words, then the drawing.
@@ -398,6 +404,7 @@ void PicturePanel::askWhereToSave() {
 
 void PicturePanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) impl_->retranslate();
+  if (event->type() == QEvent::PaletteChange) impl_->drawEmpty();
   QWidget::changeEvent(event);
 }
 
