@@ -16,18 +16,6 @@ double towards(Plane plane, Vec2 p) { return plane == Plane::XZ ? -p.y : p.x; }
 
 }  // namespace
 
-double sectionOf(const Home& home, LevelId level, Plane plane) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const auto& [id, wall] : home.walls) {
-    if (!(wall->level == level)) continue;
-    for (const Vec2 p : {wall->start, wall->end}) {
-      low = std::min(low, towards(plane, p));
-      high = std::max(high, towards(plane, p));
-    }
-  }
-  return low <= high ? (low + high) / 2 : 0;
-}
-
 std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, Plane plane, double section) {
   const Polygon ring = wallOutline(home, id, wall).polygon();
   const double base = elevationOf(home, wall.level);

@@ -9,15 +9,13 @@
 
 namespace idap {
 
-// Where the level is cut, as nearness: the middle of its walls.
-double sectionOf(const Home& home, LevelId level, Plane plane);
-
 struct WallFace {
   Polygon polygon;  // on the plane
   enum class Kind { Front, Behind, Cut } kind = Kind::Behind;
   double near = 0;
 };
-// The silhouette of a wall, and where it is cut the cut itself. Openings are not taken out.
+// section: see sectionNearness(). The silhouette of a wall, and where it is cut the cut itself. Openings are
+// not taken out.
 std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, Plane plane, double section);
 
 }  // namespace idap

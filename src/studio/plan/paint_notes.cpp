@@ -69,9 +69,12 @@ class DimensionPainter : public Painter {
     style.size = d.textSize;
     const QString words = lengthText(std::hypot(flat, high), drawing.settings.unit);
     const double angle = uprightAngle(std::atan2(along.y, along.x));
-    const Vec2 above = perpendicular(rotated(Vec2{1, 0}, angle)) * (d.textSize * 0.62 + 2 / c.view.scale);
+    // On the side away from what is measured, where there is room; above a line that lies on it.
+    Vec2 beside = perpendicular(rotated(Vec2{1, 0}, angle));
+    if (dot(beside, aside) < -1e-9) beside = -beside;
+    beside = beside * (d.textSize * 0.62 + 2 / c.view.scale);
     c.p.setPen(c.pen(color));
-    c.text((a + b) * 0.5 + above, words, c.fontOf(style), angle);
+    c.text((a + b) * 0.5 + beside, words, c.fontOf(style), angle);
   }
 };
 

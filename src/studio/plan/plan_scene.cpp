@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "studio/plan/elevation.h"
+#include "editor/hit_test_shapes.h"
 
 namespace idap {
 
@@ -20,7 +20,7 @@ Drawing PlanScene::drawing() const {
 }
 
 void PlanScene::rebuild() {
-  section_ = plane_ == Plane::XY ? 0 : sectionOf(editor_.home(), editor_.level(), plane_);
+  section_ = plane_ == Plane::XY ? 0 : sectionNearness(editor_.home(), editor_.level(), plane_);
   pieces_.rebuild(editor_.home(), editor_.level(), *pictures_);
 }
 
@@ -30,7 +30,8 @@ DirtyBoxes PlanScene::update(const Home& before, const Home& after) {
   if (changes.empty()) return dirty;
   if (!changes.levels.empty()) dirty.all = true;
   const double sectionBefore = section_;
-  if (plane_ != Plane::XY && !changes.walls.empty()) section_ = sectionOf(after, editor_.level(), plane_);
+  if (plane_ != Plane::XY && !changes.walls.empty())
+    section_ = sectionNearness(after, editor_.level(), plane_);
   pieces_.update(changes, after, *pictures_);
   const Drawing was{before, plane_, editor_.level(), editor_.settings(), pieces_, *pictures_, sectionBefore};
   const Drawing is{after, plane_, editor_.level(), editor_.settings(), pieces_, *pictures_, section_};
