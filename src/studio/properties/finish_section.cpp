@@ -11,14 +11,6 @@ namespace idap {
 
 namespace {
 
-// The material of that English name, as models call it.
-std::string materialCalled(const std::string& name) {
-  if (name.empty()) return {};
-  for (const std::string& id : materialIds())
-    if (materialName(id, "en") == name) return id;
-  return {};
-}
-
 class FinishSection : public Section {
  public:
   FinishSection(PanelLink& panelLink, QWidget* parent)
@@ -67,9 +59,9 @@ class FinishSection : public Section {
     if (model.any && !model.mixed) {
       facts = link().facts(*pieces.front(), s.home);
       if (!facts)
-        words = tr("Reading the parts of the model…");
+        words = Section::tr("Reading the parts of the model…");
       else if (!facts->problem.empty())
-        words = tr("The model cannot be read: %1").arg(toQt(facts->problem));
+        words = Section::tr("The model cannot be read: %1").arg(toQt(facts->problem));
     }
     setRowShown(waiting_, !words.isEmpty());
     waiting_->setText(words);
@@ -89,10 +81,12 @@ class FinishSection : public Section {
     row.label->setToolTip(name);
     row.picker->setAccessibleName(name);
     row.picker->setObjectName(QStringLiteral("slot-") + toQt(slot.name));
-    const std::string material = materialCalled(slot.material);
-    row.picker->setPlain(
-        material.empty() ? tr("As it comes") : toQt(materialName(material, s.settings.language)),
-        material.empty() ? std::optional(slot.color) : std::nullopt, material);
+    QString words = Section::tr("As it comes");
+    if (!slot.material.empty()) {
+      words = toQt(materialName(slot.material, s.settings.language));
+      if (slot.color) words = Section::tr("%1, tinted").arg(words);
+    }
+    row.picker->setPlain(words, slot.color, slot.material);
     row.picker->setLanguage(s.settings.language);
     row.picker->setUnit(s.settings.unit);
     const auto common = s.ofPieces([&](const Piece& p) {
@@ -107,7 +101,7 @@ class FinishSection : public Section {
 
   void addSlotRow() {
     auto* picker = new MaterialPicker(body());
-    picker->setToolTip(tr("Material, colour or picture of this part."));
+    picker->setToolTip(Section::tr("Material, colour or picture of this part."));
     QLabel* label = addLabelled(picker);
     addField(picker);
     const std::size_t index = rows_.size();

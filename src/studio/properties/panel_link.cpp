@@ -3,6 +3,7 @@
 #include <QThreadPool>
 
 #include "base/error.h"
+#include "catalog/material.h"
 #include "catalog/model_file.h"
 #include "model/diff.h"
 #include "model/edits/piece_edits.h"
@@ -27,6 +28,16 @@ std::string keyOf(const Piece& piece) {
   return piece.model.asset.empty() ? "piece " + piece.model.catalogId : "file " + piece.model.asset;
 }
 
+// Models name the catalog's materials in English.
+PieceFacts::Slot partOf(const SurfaceModel::Slot& slot) {
+  for (const std::string& id : materialIds())
+    if (!slot.material.name.empty() && materialName(id, "en") == slot.material.name) {
+      const bool tinted = !(findMaterial(id)->color == slot.material.color);
+      return {slot.name, id, tinted ? std::optional(slot.material.color) : std::nullopt};
+    }
+  return {slot.name, {}, slot.material.color};
+}
+
 PieceFacts fetch(const ModelRef& ref, Vec3 size, const Catalog& catalog, const Assets& assets) {
   PieceFacts facts;
   try {
@@ -45,8 +56,7 @@ PieceFacts fetch(const ModelRef& ref, Vec3 size, const Catalog& catalog, const A
       model = catalog.model(ref.catalogId, size, ref.parameters);
     }
     if (model)
-      for (const SurfaceModel::Slot& slot : model->slots)
-        facts.parts.push_back({slot.name, slot.material.name, slot.material.color});
+      for (const SurfaceModel::Slot& slot : model->slots) facts.parts.push_back(partOf(slot));
   } catch (const Error& e) {
     facts.problem = e.what();
   }

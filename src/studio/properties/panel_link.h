@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,8 +20,8 @@ struct PieceFacts {
   CatalogPiecePtr piece;  // null: not of the catalog
   struct Slot {
     std::string name;
-    std::string material;  // in words; may be empty
-    Color color;
+    std::string material;        // id of the catalog's; empty: one of the model's own
+    std::optional<Color> color;  // of a model's own material, or where it differs from the catalog's
   };
   std::vector<Slot> parts;
   std::string problem;  // the model cannot be read

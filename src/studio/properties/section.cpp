@@ -29,6 +29,9 @@ class CalmChoice : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
+// Rows without a tip or a label have nothing to translate.
+QString words(const char* english) { return *english ? translated(english) : QString(); }
+
 template <class Field, class V>
 void showIn(Field* field, bool mixed, const V& value) {
   if (mixed)
@@ -62,7 +65,7 @@ void Section::refresh(const Selected& selected) {
 }
 
 void Section::translate(const Row& row) const {
-  const QString label = translated(row.text.label), tip = translated(row.text.tip);
+  const QString label = words(row.text.label), tip = words(row.text.tip);
   if (row.label) {
     row.label->setText(label);
     row.label->setToolTip(tip.isEmpty() ? label : label + QStringLiteral(": ") + tip);
@@ -75,12 +78,12 @@ void Section::translate(const Row& row) const {
 void Section::fit(const Row& row) const {
   auto* button = row.label ? nullptr : qobject_cast<QAbstractButton*>(row.field);
   if (!button) return;
-  const QString words = translated(row.text.label), tip = translated(row.text.tip);
+  const QString label = words(row.text.label), tip = words(row.text.tip);
   const int room = body()->width() - fontMetrics().height() * (qobject_cast<QCheckBox*>(button) ? 5 : 4) / 2;
-  const QString shown = fontMetrics().elidedText(words, Qt::ElideRight, std::max(room, 1));
+  const QString shown = fontMetrics().elidedText(label, Qt::ElideRight, std::max(room, 1));
   button->setText(shown);
   // What is cut off stands in the tooltip.
-  button->setToolTip(shown == words ? tip : tip.isEmpty() ? words : words + QStringLiteral(": ") + tip);
+  button->setToolTip(shown == label ? tip : tip.isEmpty() ? label : label + QStringLiteral(": ") + tip);
 }
 
 void Section::retranslate() {
@@ -241,7 +244,7 @@ SliderField* Section::addSlider(const RowText& text, double min, double max, dou
     else if (common.value)
       field->setValue(*common.value);
     else
-      field->setNone(translated(noneWords));
+      field->setNone(words(noneWords));
   });
   return field;
 }
@@ -316,11 +319,11 @@ QComboBox* Section::addChoice(const RowText& text, std::vector<const char*> opti
 ColorButton* Section::addColor(const RowText& text, const char* noneWords, Read<std::optional<Color>> read,
                                Write<std::optional<Color>> write) {
   auto* button = new ColorButton(body());
-  const auto words = [button, noneWords] {
+  const auto name = [button, noneWords] {
     if (*noneWords) button->setOptional(true, translated(noneWords));
   };
-  words();
-  translations_.push_back(words);
+  name();
+  translations_.push_back(name);
   addRow(text, button);
   connect(button, &ColorButton::colorChanging, this,
           [this, text, write](const Color& color) { preview(text, write, std::optional(color)); });
@@ -346,9 +349,9 @@ void Section::choose(const RowText& text, const Write<Finish>& write, const Fini
 MaterialPicker* Section::addFinish(const RowText& text, const char* plainWords, Read<Finish> read,
                                    Write<Finish> write, std::optional<Color> plain) {
   auto* picker = new MaterialPicker(body());
-  const auto words = [picker, plainWords, plain] { picker->setPlain(translated(plainWords), plain); };
-  words();
-  translations_.push_back(words);
+  const auto name = [picker, plainWords, plain] { picker->setPlain(translated(plainWords), plain); };
+  name();
+  translations_.push_back(name);
   addRow(text, picker);
   connect(picker, &MaterialPicker::finishChosen, this,
           [this, text, write](const FinishChoice& choice) { choose(text, write, choice); });
@@ -374,9 +377,9 @@ QLabel* Section::addInfo(const RowText& text, std::function<QString(const Select
   addRow(text, label);
   fields_.pop_back();  // the keyboard passes it
   onRefresh([this, label, read](const Selected& selected) {
-    const QString words = read(selected);
-    setRowShown(label, !words.isEmpty());
-    if (label->text() != words) label->setText(words);
+    const QString shown = read(selected);
+    setRowShown(label, !shown.isEmpty());
+    if (label->text() != shown) label->setText(shown);
   });
   return label;
 }

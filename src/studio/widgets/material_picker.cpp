@@ -239,9 +239,10 @@ void MaterialPicker::paintEvent(QPaintEvent*) {
         QRectF(box), picture,
         QRectF(0, picture.height() * (1 - share) / 2, picture.width(), picture.height() * share));
     if (colour) {
-      painter.setCompositionMode(QPainter::CompositionMode_Multiply);
+      // The colour counts; the picture's grain shows through.
+      painter.setOpacity(0.75);
       painter.fillRect(box, *colour);
-      painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+      painter.setOpacity(1);
     }
     QColor frame = palette().color(QPalette::WindowText);
     frame.setAlphaF(0.45f);

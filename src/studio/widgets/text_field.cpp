@@ -34,7 +34,10 @@ void TextField::setMixed() {
 
 void TextField::reset() {
   setPlaceholderText(mixed_ ? tr("Several values") : QString());
-  if (text() != value_) setText(value_);
+  if (text() != value_) {
+    setText(value_);
+    if (!hasFocus()) setCursorPosition(0);  // a long text shows its beginning
+  }
   setModified(false);
 }
 
@@ -77,7 +80,10 @@ void TextField::keyPressEvent(QKeyEvent* event) {
 }
 
 void TextField::focusOutEvent(QFocusEvent* event) {
-  if (leavesField(event)) commit();
+  if (leavesField(event)) {
+    commit();
+    setCursorPosition(0);
+  }
   QLineEdit::focusOutEvent(event);
 }
 

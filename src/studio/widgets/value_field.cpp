@@ -65,6 +65,7 @@ void ValueField::showValue() {
     const bool all = hasFocus() && selectedText() == text();
     setText(shown);
     if (all) selectAll();
+    if (!hasFocus()) setCursorPosition(0);
   }
   setModified(false);
   mark({});

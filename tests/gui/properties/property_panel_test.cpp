@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
@@ -14,6 +15,7 @@
 #include "gui/support/gui_support.h"
 #include "model/edits/element_edits.h"
 #include "model/edits/piece_edits.h"
+#include "model/room_geometry.h"
 #include "model/wall_path.h"
 #include "studio/widgets/color_button.h"
 #include "studio/widgets/length_field.h"
@@ -220,6 +222,35 @@ TEST_F(PropertyPanelTest, HalfTypedNumbersGoToWhatWasSelectedThen) {
   EXPECT_EQ(x->text(), "50 cm");
 }
 
+// All of a large home at once: well within the pause between two updates.
+TEST_F(PropertyPanelTest, ManyPiecesAreShownAtOnce) {
+  editor.apply("Many", [&](const Home& home) {
+    Home next = home;
+    for (int i = 0; i < 2000; ++i) {
+      Furniture copy = *home.furniture.find(bed);
+      copy.position.x = i * 0.01;
+      next.furniture.set(next.newId<FurnitureId>(), copy);
+    }
+    return next;
+  });
+  Elements all;
+  for (const auto& [id, each] : editor.home().furniture) all.furniture.push_back(id);
+  editor.select(all);
+  settle();
+  EXPECT_EQ(title(), "2003 pieces of furniture");
+  panel.hide();
+  editor.apply("Rename", [&](const Home& home) {
+    return changePieces(home, all, [](Piece& each) { each.name = "Thing"; });
+  });
+  QElapsedTimer timer;
+  timer.start();
+  panel.show();
+  const qint64 spent = timer.elapsed();
+  RecordProperty("milliseconds", static_cast<int>(spent));
+  EXPECT_LT(spent, 250);
+  EXPECT_EQ(field<TextField>("pieceName")->value(), "Thing");
+}
+
 TEST_F(PropertyPanelTest, HiddenPanelsDoNothingUntilShown) {
   select(bed);
   panel.hide();
@@ -310,12 +341,14 @@ TEST_F(PropertyPanelTest, WallsTakeTheirNeighboursAlong) {
   select(wall);
   const Wall before = *editor.home().walls.find(wall);
   const double length = WallPath(before).length();
+  const double area = floorArea(*editor.home().rooms.find(room));
   const std::string wish = std::to_string(length * 100 + 50);
   type(field<LengthField>("wallLength"), wish.c_str());
   const Wall after = *editor.home().walls.find(wall);
   EXPECT_NEAR(WallPath(after).length(), length + 0.5, 1e-6);
   const Wall* joined = editor.home().walls.find(after.neighbourAtEnd);
   ASSERT_NE(joined, nullptr);
+  EXPECT_GT(floorArea(*editor.home().rooms.find(room)), area + 0.5);  // and the room
   EXPECT_TRUE(idap::length(joined->start - after.end) < 1e-9 || idap::length(joined->end - after.end) < 1e-9);
   editor.undo();
   EXPECT_EQ(*editor.home().walls.find(wall), before);
