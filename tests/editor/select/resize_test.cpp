@@ -125,6 +125,15 @@ TEST_F(Handles, HeightFromTheSide) {
   EXPECT_NEAR(now().position.y, 0.25, 1e-9);
 }
 
+TEST_F(Handles, ATurnedPieceHasOnlyItsHeightFromTheSide) {
+  Furniture piece = box({0, 0, 0}, {2, 1, 0.7});
+  piece.angle = 0.5;
+  open(piece);
+  plane = Plane::XZ;
+  EXPECT_FALSE(has(HandleKind::ResizeWidth));
+  EXPECT_TRUE(has(HandleKind::ResizeHeight));
+}
+
 TEST_F(Handles, TurnsInSteps) {
   open(box({0, 0, 0}, {2, 1, 0.7}));
   const Vec2 from = handle(HandleKind::Rotate);

@@ -10,7 +10,9 @@ namespace idap {
 
 namespace {
 
-constexpr double kFaceOn = 0.7;  // an axis seen shorter than this is not stretched on this plane
+// An axis seen shorter than this is not stretched on this plane; from the side width and depth only where the
+// piece stands square to it, as its outline is not their length otherwise.
+constexpr double kFaceOn = 0.7, kSquare = 0.98;
 
 constexpr const char* kTurnTip = QT_TRANSLATE_NOOP("idap", "Drag to turn.");
 constexpr const char* kSizeTip = QT_TRANSLATE_NOOP("idap", "Drag to resize; Shift keeps the proportions.");
@@ -47,7 +49,8 @@ class PieceHandles {
     for (const int axis : {0, 1, 2}) {
       const Vec3 unit{axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0};
       const Vec2 seen = project(plane_, place_.vector(unit));
-      if (length(seen) > kFaceOn && !(inWall_ && axis == 1)) axes_.push_back(axis);
+      const double least = plane_ != Plane::XY && axis != 2 ? kSquare : kFaceOn;
+      if (length(seen) > least && !(inWall_ && axis == 1)) axes_.push_back(axis);
       shown_[axis] = length(seen) * piece_.size[axis] / pixel_;
     }
     const double widest = axes_.empty() ? 0 : std::max(shown_[axes_.front()], shown_[axes_.back()]);
