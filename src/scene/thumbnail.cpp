@@ -19,6 +19,7 @@ namespace idap {
 namespace {
 
 constexpr int kSamples = 32;
+constexpr int kEdge = 2;  // pixels around the picture that are traced and cut off: denoising spoils corners
 constexpr double kLens = 20 * kPi / 180;  // narrow: shapes keep their proportions
 constexpr double kMargin = 0.07;          // of the picture's side, left free at each edge
 constexpr double kFar = 60;               // m, how far floor and wall reach
@@ -85,19 +86,25 @@ class Studio {
     progress_.check();
     const render::CompiledScene compiled(built_.scene, 1);
     render::RenderSettings settings;
-    settings.width = settings.height = side;
+    const int whole = side + 2 * kEdge;
+    settings.width = settings.height = whole;
     settings.spp = kSamples;
     settings.threads = 1;
     settings.clampIndirect = 4 * kWhite * level_;
-    render::Film film(side, side);
-    render::render(compiled, camera_, settings, film, progress_);
+    render::Camera camera = camera_;
+    camera.horizontalFov = static_cast<float>(2 * std::atan(std::tan(kLens / 2) * whole / side));
+    render::Film film(whole, whole);
+    render::render(compiled, camera, settings, film, progress_);
     progress_.check();
     render::DevelopSettings develop;
     develop.ev = render::ev100FromMultiplier(1 / (kWhite * level_));
     develop.whiteBalance = 0;
     develop.fastDenoise = true;
     develop.threads = 1;
-    return render::develop(film, develop, denoiser);
+    const Image8 picture = render::develop(film, develop, denoiser);
+    Image8 inner(side, side);
+    for (int y = 0; y < side; ++y) std::copy_n(picture.pixel(kEdge, y + kEdge), 3 * side, inner.pixel(0, y));
+    return inner;
   }
 
  private:
@@ -133,7 +140,6 @@ class Studio {
     camera_.eye = toFloat(eye);
     camera_.forward = toFloat(forward);
     camera_.up = toFloat(up);
-    camera_.horizontalFov = static_cast<float>(kLens);
   }
 
   // The floor, or the wall behind what hangs on one; they fill the picture, so that no horizon is seen.
