@@ -51,8 +51,8 @@ void drawHandle(Canvas& c, const Handle& handle) {
   const auto arrows = [&](bool both) {  // along its direction
     const QPointF u(std::cos(handle.direction), -std::sin(handle.direction)), v(-u.y(), u.x());
     const auto head = [&](double side) {
-      const QPointF tip = at + u * (side * (r + 3));
-      c.p.drawPolygon(QPolygonF{tip, tip - u * (side * 5.0) + v * 4.0, tip - u * (side * 5.0) - v * 4.0});
+      const QPointF foot = at + u * (side * 1.5), tip = at + u * (side * (r + 5));
+      c.p.drawPolygon(QPolygonF{tip, foot + v * (r * 1.1), foot - v * (r * 1.1)});
     };
     head(1);
     if (both) head(-1);
@@ -61,10 +61,17 @@ void drawHandle(Canvas& c, const Handle& handle) {
     case HandleKind::Rotate:
     case HandleKind::Pitch:
     case HandleKind::Roll: {
-      c.p.drawEllipse(at, r + 1, r + 1);
-      c.p.setPen(c.pen(handle.active ? c.colors.onAccent : c.colors.accent, 1.2));
+      const double round = r + 2.5, ring = round * 0.58;
+      c.p.drawEllipse(at, round, round);
+      const QColor sign = handle.active ? c.colors.onAccent : c.colors.accent;
+      c.p.setPen(c.pen(sign, 1.3));
       c.p.setBrush(Qt::NoBrush);
-      c.p.drawArc(QRectF(at.x() - r * 0.5, at.y() - r * 0.5, r, r), 30 * 16, 270 * 16);
+      c.p.drawArc(QRectF(at.x() - ring, at.y() - ring, 2 * ring, 2 * ring), 60 * 16, 270 * 16);
+      // The arc begins at 60 degrees and runs left; its end, at -30 degrees, has the head.
+      const QPointF end = at + QPointF(std::cos(kPi / 6), std::sin(kPi / 6)) * ring;
+      c.p.setBrush(sign);
+      c.p.setPen(Qt::NoPen);
+      c.p.drawPolygon(QPolygonF{end + QPointF(1.2, -3.6), end + QPointF(2.6, 1.6), end + QPointF(-2.8, 0)});
       break;
     }
     case HandleKind::ResizeWidth:

@@ -71,5 +71,32 @@ TEST(PlanPictures, HomesAreDrawnInAllPlanes) {
   }
 }
 
+TEST(PlanPictures, WhatIsSelectedIsMarkedAndCanBeGrasped) {
+  Editor editor(std::make_shared<Catalog>());
+  editor.open(std::make_unique<Document>(readHome(homes().front()).home));
+  PlanView view(editor, Plane::XY);
+  view.resize(1280, 800);
+  view.show();
+  const auto picture = [&] {
+    test::waitFor([&] {
+      view.repaint();
+      return view.settled();
+    });
+    test::waitFor([] { return false; }, 150);
+    return view.grab().toImage();
+  };
+  const QImage before = picture();
+  Elements chosen;
+  for (const auto& [id, piece] : editor.home().furniture)
+    if (piece->size.x > 1.5 && piece->size.z < 1.5 && chosen.furniture.empty())
+      chosen.furniture.push_back(id);
+  ASSERT_FALSE(chosen.furniture.empty());
+  editor.select(chosen);
+  const QImage after = picture();
+  test::shoot(view, "apartment-selected");
+  EXPECT_NE(before, after);
+  EXPECT_FALSE(editor.tool().overlay(editor, Plane::XY, view.pixel()).handles.empty());
+}
+
 }  // namespace
 }  // namespace idap
