@@ -2822,11 +2822,11 @@
     </message>
     <message>
         <source>Level below</source>
-        <translation>ชั้นล่าง</translation>
+        <translation>ชั้นที่อยู่ต่ำกว่า</translation>
     </message>
     <message>
         <source>Shows the level below faintly under the current one, to draw walls above walls</source>
-        <translation>แสดงชั้นล่างจาง ๆ ใต้ชั้นนี้ เพื่อเขียนผนังให้ตรงกับผนังชั้นล่าง</translation>
+        <translation>แสดงชั้นที่อยู่ต่ำกว่าจาง ๆ เพื่อเขียนผนังให้ตรงกับผนังชั้นนั้น</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -4568,6 +4568,10 @@
         <source>Mirror glass</source>
         <translation>กระจกเงา</translation>
     </message>
+    <message>
+        <source>%1 is not a home; begin a room first, then drop it there</source>
+        <translation>%1 ไม่ใช่ไฟล์บ้าน เริ่มห้องก่อน แล้วลากมาวางในห้อง</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -5917,7 +5921,7 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     </message>
     <message>
         <source>Show the level &amp;below faintly</source>
-        <translation>แสดงชั้นล่างจาง ๆ(&amp;B)</translation>
+        <translation>แสดงชั้นที่ต่ำกว่าจาง ๆ(&amp;B)</translation>
     </message>
     <message>
         <source>Walls that &amp;close make a room</source>
@@ -5983,14 +5987,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>ใหญ่เท่าที่พอดี</translation>
     </message>
     <message>
-        <source>Upright</source>
-        <translation>แนวตั้ง</translation>
-    </message>
-    <message>
-        <source>Lying</source>
-        <translation>แนวนอน</translation>
-    </message>
-    <message>
         <source>&amp;Title, notes, scale and date</source>
         <translation>ชื่อเรื่อง บันทึก มาตราส่วน และวันที่(&amp;T)</translation>
     </message>
@@ -6021,6 +6017,14 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>The PDF cannot be written.</source>
         <translation>เขียนไฟล์ PDF ไม่ได้</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>แนวตั้ง</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>แนวนอน</translation>
     </message>
 </context>
 <context>
