@@ -34,7 +34,7 @@ class PieceSnap {
       : home_(editor.home()), request_(request), piece_(request.piece) {}
 
   SnappedPiece onPlan() {
-    if (request_.mayTurn) turnToWall();
+    if (request_.mayTurn && piece_.size.z > kThin) turnToWall();
     gatherWalls();
     gatherPieces();
     gatherRooms();

@@ -56,6 +56,15 @@ TEST_F(Snap, FacesOnlyWhereWanted) {
   expectNear(p.at, {2, 0.1});
 }
 
+TEST_F(Snap, RugsLieAsTheyAreTurned) {
+  const SnappedPiece wardrobe = piece({4.5, 2, 0}, {1, 0.6, 2}, true);
+  EXPECT_TRUE(wardrobe.onWall);
+  EXPECT_NE(wardrobe.angle, 0);
+  const SnappedPiece rug = piece({4.5, 2, 0}, {1, 0.6, 0.01}, true);
+  EXPECT_FALSE(rug.onWall);
+  EXPECT_EQ(rug.angle, 0);
+}
+
 TEST_F(Snap, AnglesInStepsOfFifteenDegrees) {
   const SnappedPoint p = point({.at = {3, 2.06}, .from = Vec2{1, 2}});
   EXPECT_EQ(p.to, SnappedPoint::To::Angle);

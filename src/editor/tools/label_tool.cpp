@@ -8,7 +8,7 @@ namespace idap {
 namespace {
 
 const ToolInfo kInfo{"label",
-                     QT_TRANSLATE_NOOP("idap", "Text"),
+                     QT_TRANSLATE_NOOP("idap", "Label"),
                      QT_TRANSLATE_NOOP("idap", "Write on the plan: names, notes, anything"),
                      QT_TRANSLATE_NOOP("idap", "Click where the text is to stand"),
                      "T",

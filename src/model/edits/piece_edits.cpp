@@ -78,6 +78,7 @@ Home removeRoomPoint(const Home& home, RoomId id, std::size_t index) {
 Home makeRoomHome(double x, double y, double z, double wallThickness, std::string roomName) {
   Home home;
   home.wallHeight = z;
+  home.site.compassPosition = {-1.2, -1.2};  // clear of the walls and their dimensions
   const double h = wallThickness / 2;
   const Vec2 corners[] = {{-h, -h}, {x + h, -h}, {x + h, y + h}, {-h, y + h}};
   WallId ids[4];

@@ -72,7 +72,7 @@ const char* kindName(const Selected& s) {
   if (!s.elements.rooms.empty()) return QT_TRANSLATE_NOOP("idap", "Room");
   if (!s.elements.cameras.empty()) return QT_TRANSLATE_NOOP("idap", "Point of view");
   if (!s.elements.dimensions.empty()) return QT_TRANSLATE_NOOP("idap", "Dimension");
-  if (!s.elements.labels.empty()) return QT_TRANSLATE_NOOP("idap", "Text");
+  if (!s.elements.labels.empty()) return QT_TRANSLATE_NOOP("idap", "Label");
   return QT_TRANSLATE_NOOP("idap", "Line");
 }
 

@@ -33,7 +33,7 @@ const SelectHandle* handleAt(const SelectHandles& handles, const PointerEvent& e
 const ToolInfo& SelectTool::info() const {
   static const ToolInfo info{
       .id = "select",
-      .name = QT_TRANSLATE_NOOP("idap", "Select"),
+      .name = QT_TRANSLATE_NOOP("idap", "Point"),
       .tip = QT_TRANSLATE_NOOP("idap", "Select things, and move, turn and resize them by their handles"),
       .hint = QT_TRANSLATE_NOOP("idap",
                                 "Click to select, drag to move. Drag over an empty place to select all in a "
