@@ -5,11 +5,14 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimeZone>
+#include <numbers>
 
 #include "formats/registry.h"
 #include "model/edits/arrange_edits.h"
 #include "model/edits/piece_edits.h"
 #include "studio/widgets/texts.h"
+#include "studio/window/dialogs/cities.h"
 
 namespace idap {
 
@@ -35,6 +38,21 @@ QString filters() {
             QStringLiteral(")");
   }
   return FileFlow::tr("Homes") + QStringLiteral(" (") + all.trimmed() + QStringLiteral(")") + each;
+}
+
+// The town that this machine's time zone is named after, at eleven on midsummer's day.
+Site siteOfThisMachine() {
+  Site site;
+  const QTimeZone zone = QTimeZone::systemTimeZone();
+  for (const City& city : cities()) {
+    if (zone.id() != city.timeZone || !zone.id().endsWith(QByteArray(city.name).replace(' ', '_'))) continue;
+    site.latitude = city.latitude * std::numbers::pi / 180;
+    site.longitude = city.longitude * std::numbers::pi / 180;
+    site.timeZone = city.timeZone;
+    const QDate midsummer(QDate::currentDate().year(), city.latitude < 0 ? 12 : 6, 21);
+    site.time = QDateTime(midsummer, QTime(11, 0), zone).toMSecsSinceEpoch();
+  }
+  return site;
 }
 
 }  // namespace
@@ -135,7 +153,10 @@ QString FileFlow::title() const {
 void FileFlow::newRoom(double x, double y, double z) {
   whenSafe([this, x, y, z] {
     recovery_.drop();
-    file_.start(makeRoomHome(x, y, z, preferences_.editor().wallThickness, fromQt(tr("Room"))));
+    Home home = makeRoomHome(x, y, z, preferences_.editor().wallThickness, fromQt(tr("Room")));
+    home.site = siteOfThisMachine();
+    home.site.compassPosition = {x + 1, y - 0.5};  // beside the room
+    file_.start(std::move(home));
     setOpen(true);
     emit titleChanged();
     emit newHome();
@@ -257,13 +278,17 @@ void FileFlow::closeHome() {
   });
 }
 
+bool FileFlow::safe() const {
+  return !question_ && !file_.saving() && (!open_ || !editor_.document().modified());
+}
+
 void FileFlow::whenSafe(std::function<void()> then) {
   if (question_) return question_->raise();
   if (file_.saving()) {  // its end says whether anything is left to ask
     afterSave_ = [this, then = std::move(then)] { whenSafe(then); };
     return;
   }
-  if (!open_ || !editor_.document().modified()) return then();
+  if (safe()) return then();
   auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
                               tr("Save the changes to “%1”?").arg(title()),
                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);

@@ -32,6 +32,7 @@ class FileFlow : public QObject {
   // Calls then when nothing would be lost: at once, or after the user has saved or thrown it away. Waits for
   // a save that is under way.
   void whenSafe(std::function<void()> then);
+  bool safe() const;    // nothing would be lost now
   void offerRestore();  // what was left by a program that stopped
 
   bool isOpen() const { return open_; }

@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
+#include <QTextDocument>
 #include <QTextDocumentFragment>
 #include <QTimer>
 
@@ -51,22 +52,55 @@ void HintLine::show() {
     hint = tr(
         "Furnish the room: drag furniture from the catalog on the left into a plane, or choose it there and "
         "press Enter.");
-  QString html = QStringLiteral("<b>") + translated(tool.info().name).toHtmlEscaped() +
-                 QStringLiteral("</b>&nbsp;&nbsp; ") + hint.toHtmlEscaped();
+  hint = QStringLiteral("<b>") + translated(tool.info().name).toHtmlEscaped() +
+         QStringLiteral("</b>&nbsp;&nbsp; ") + hint.toHtmlEscaped();
+  QStringList keys;
   for (const ToolKey& key : tool.info().keys)
-    html += QStringLiteral(" &nbsp;&nbsp;·&nbsp; <b>") + translated(key.keys).toHtmlEscaped() +
-            QStringLiteral("</b>&nbsp;") + translated(key.what).toHtmlEscaped();
-  if (html == words_->text()) return;
-  words_->setText(html);
-  words_->setToolTip(html);
+    keys << QStringLiteral(" &nbsp;&nbsp;·&nbsp; <b>") + translated(key.keys).toHtmlEscaped() +
+                QStringLiteral("</b>&nbsp;") + translated(key.what).toHtmlEscaped();
+  if (hint == hint_ && keys == keys_) return;
+  hint_ = hint;
+  keys_ = keys;
   const int side = fontMetrics().height();
   const QIcon picture = icon(tool.info().id);
   icon_->setPixmap(picture.isNull() ? QPixmap() : picture.pixmap(QSize(side, side), devicePixelRatioF()));
+  fit();
+}
+
+void HintLine::fit() {
+  QTextDocument document;
+  document.setDefaultFont(font());
+  document.setDocumentMargin(0);
+  const auto width = [&document](const QString& html) {
+    document.setHtml(html);
+    return document.idealWidth();
+  };
+  const QString more = QStringLiteral(" &nbsp;…");
+  QString shown = hint_;
+  for (qsizetype i = 0; i < keys_.size(); ++i) {
+    const QString next = shown + keys_[i];
+    if (width(i + 1 < keys_.size() ? next + more : next) > words_->width()) {
+      shown += more;
+      break;
+    }
+    shown = next;
+  }
+  words_->setText(shown);
+  words_->setToolTip(hint_ + keys_.join(QString()));
+  document.setHtml(shown);
+  // Letters of some scripts stand higher than those of the interface's font.
+  words_->setMinimumHeight(int(document.size().height()) + 1);
+}
+
+void HintLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  fit();
 }
 
 void HintLine::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
-    words_->clear();
+    hint_.clear();
     show();
   }
   QWidget::changeEvent(event);

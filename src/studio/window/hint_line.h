@@ -1,6 +1,7 @@
 // One line under the planes: the tool in hand, what to do with it now, and its keys.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <functional>
 
@@ -20,13 +21,17 @@ class HintLine : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show();
+  void fit();
 
   Editor& editor_;
   QLabel *icon_, *words_;
-  QTimer* soon_;  // a drag changes the overlay with every move of the pointer
+  QString hint_;
+  QStringList keys_;  // as many as there is room for are shown, the rest in the tooltip
+  QTimer* soon_;      // a drag changes the overlay with every move of the pointer
   int subscription_;
 };
 

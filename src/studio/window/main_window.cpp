@@ -2,9 +2,12 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
 #include <QToolButton>
+#include <QUrl>
 
 #include "editor/commands/command.h"
 #include "studio/catalog/thumbnail_store.h"
@@ -40,7 +43,7 @@ MainWindow::MainWindow(std::shared_ptr<StudioShared> shared, QWidget* parent)
 MainWindow::~MainWindow() {
   // The widgets listen to the editor, which goes with impl_: they go before it.
   impl_->editor.unsubscribe(impl_->subscription);
-  if (impl_->shown && impl_->homeShown) impl_->keepLayout();
+  if (isVisible() && impl_->homeShown) impl_->keepLayout();  // hidden, all panels count as closed
   delete impl_->actions;
   const auto parts = findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
   for (QWidget* part : parts) delete part;
@@ -65,16 +68,37 @@ MainWindow* MainWindow::newWindow() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (impl_->mayClose) {
+  // Closing again from within the question would be passed over: what is safe closes at once.
+  if (impl_->mayClose || impl_->files->safe()) {
     if (impl_->homeShown) impl_->keepLayout();
     impl_->files->recovery().drop();
     return QMainWindow::closeEvent(event);
   }
   event->ignore();
-  impl_->files->whenSafe([this] {
+  closeThen({});
+}
+
+void MainWindow::closeThen(std::function<void()> then) {
+  impl_->files->whenSafe([this, then = std::move(then)] {
     impl_->mayClose = true;
     close();
+    if (then) then();
   });
+}
+
+// A home opens, a picture goes under the plan, anything else may be furniture.
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls[0].isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString file = event->mimeData()->urls().value(0).toLocalFile();
+  if (file.isEmpty()) return;
+  event->acceptProposedAction();
+  // Out of the drop, which the other program waits for.
+  QMetaObject::invokeMethod(
+      this, [this, file] { impl_->openDropped(file); }, Qt::QueuedConnection);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -90,13 +114,13 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  impl_->shown = true;
   impl_->fitToolBars();
 }
 
 MainWindow::Impl::Impl(MainWindow* window, std::shared_ptr<StudioShared> all)
     : w(window), shared(std::move(all)), preferences(*shared->preferences), editor(shared->catalog) {
   w->setObjectName(QStringLiteral("mainWindow"));
+  w->setAcceptDrops(true);
   editor.setSettings(preferences.editor());
   actions = new WindowActions(editor, w);
   files = new FileFlow(editor, preferences, w);
@@ -157,11 +181,12 @@ void MainWindow::Impl::makeWidgets() {
   catalogDock = dock("catalogDock", catalog, Qt::LeftDockWidgetArea);
   propertyDock = dock("propertyDock", properties, Qt::RightDockWidgetArea);
   listDock = dock("listDock", tabs, Qt::BottomDockWidgetArea);
+  listDock->setTitleBarWidget(new QWidget(listDock));  // its tabs say enough
   // Both sides reach to the bottom, where catalog and properties need the height.
   w->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   w->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   const int em = w->fontMetrics().height();
-  w->resizeDocks({catalogDock, propertyDock}, {15 * em, 17 * em}, Qt::Horizontal);
+  w->resizeDocks({catalogDock, propertyDock}, {16 * em, 17 * em}, Qt::Horizontal);
   w->resizeDocks({listDock}, {9 * em}, Qt::Vertical);
 }
 
@@ -250,7 +275,10 @@ void MainWindow::Impl::onEditor(Editor::Change change) {
       break;
   }
   // A drag changes the home with every move of the pointer.
-  if (!refreshSoon.isActive()) refreshSoon.start();
+  if (!editor.document().inTransaction())
+    refresh();
+  else if (!refreshSoon.isActive())
+    refreshSoon.start();
 }
 
 void MainWindow::Impl::refresh() {
@@ -325,7 +353,7 @@ void MainWindow::Impl::fitToolBars() {
 
 void MainWindow::Impl::retitle() {
   const bool modified = files->isOpen() && editor.document().modified();
-  w->setWindowTitle(files->isOpen() ? files->title() + QStringLiteral("[*]") : QString());
+  w->setWindowTitle(files->isOpen() ? files->title() + QStringLiteral("[*]") : MainWindow::tr("Welcome"));
   w->setWindowModified(modified);
   tabs->setTabText(0, MainWindow::tr("Furniture"));
   tabs->setTabText(1, MainWindow::tr("Points of view"));

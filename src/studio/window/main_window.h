@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "editor/editor.h"
@@ -41,12 +42,16 @@ class MainWindow : public QMainWindow {
   ViewArea& views();
   WindowActions& actions();
   MainWindow* newWindow();  // another one, shown; belongs to itself
+  // Closes when nothing is lost by it; then is not called where the user goes on working instead.
+  void closeThen(std::function<void()> then);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   struct Impl;

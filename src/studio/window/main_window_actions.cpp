@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "editor/commands/command.h"
+#include "formats/registry.h"
 #include "model/edits/element_edits.h"
 #include "studio/catalog/import_dialog.h"
 #include "studio/widgets/icons.h"
@@ -31,6 +32,13 @@ namespace {
 // The ten commands of 1993, in their order, by the ids of today's actions.
 constexpr const char* kTen[] = {"new",       "open", "save",   "tool-select", "property",
                                 "ray-trace", "text", "eraser", "print",       "quit"};
+
+// One after another, as each may have something to ask; who cancels one stays with the rest.
+void closeAll() {
+  for (QWidget* top : QApplication::topLevelWidgets())
+    if (auto* window = qobject_cast<MainWindow*>(top); window && window->isVisible())
+      return window->closeThen(closeAll);
+}
 
 }  // namespace
 
@@ -90,7 +98,7 @@ void MainWindow::Impl::makeFileActions() {
   QAction* quit = actions->add({"quit", QT_TRANSLATE_NOOP("idap", "&Quit"),
                                 QT_TRANSLATE_NOOP("idap", "Leaves the program; asks about unsaved work"),
                                 "Ctrl+Q", QT_TRANSLATE_NOOP("idap", "Quit")},
-                               [] { QApplication::closeAllWindows(); });
+                               closeAll);
   quit->setMenuRole(QAction::QuitRole);
 }
 
@@ -426,10 +434,30 @@ void MainWindow::Impl::showDialog(QDialog* dialog) {
   dialog->open();
 }
 
-void MainWindow::Impl::importFurniture() {
+void MainWindow::Impl::importFurniture(const QString& file) {
   auto* dialog = new ImportDialog(editor, w);
   QObject::connect(dialog, &ImportDialog::libraryImported, catalog, &CatalogPanel::reload);
   showDialog(dialog);
+  if (!file.isEmpty()) dialog->chooseFile(fromQt(file));
+}
+
+void MainWindow::Impl::openDropped(const QString& file) {
+  const std::string extension = fromQt(QFileInfo(file).suffix().toLower());
+  for (const HomeFormat& format : homeFormats())
+    if (format.read &&
+        std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end())
+      return files->open(file);
+  if (!homeShown) {
+    editor.say({QT_TRANSLATE_NOOP("idap", "%1 is not a home; begin a room first, then drop it there"),
+                {fromQt(QFileInfo(file).fileName())}},
+               Editor::Severity::Warning);
+  } else if (extension == "png" || extension == "jpg" || extension == "jpeg") {
+    auto* dialog = new BackgroundDialog(editor, w);
+    showDialog(dialog);
+    dialog->usePicture(file);
+  } else {
+    importFurniture(file);
+  }
 }
 
 void MainWindow::Impl::exportCsv() {

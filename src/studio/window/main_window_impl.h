@@ -63,7 +63,8 @@ struct MainWindow::Impl {
   QMenu* menu(const char* title);
   void addCommands(QMenu* menu, Menu of);
   void showDialog(QDialog* dialog);
-  void importFurniture();
+  void importFurniture(const QString& file = {});
+  void openDropped(const QString& file);
   void exportCsv();
   void erase();
   void rayTrace();
@@ -96,7 +97,7 @@ struct MainWindow::Impl {
   QTimer refreshSoon, statusSoon;
   int unseenWarnings = 0;
   int subscription = 0;
-  bool homeShown = false, mayClose = false, shown = false;
+  bool homeShown = false, mayClose = false;
 };
 
 }  // namespace idap

@@ -21,10 +21,12 @@ NewRoomForm::NewRoomForm(LengthUnit unit, QWidget* parent)
   setObjectName(QStringLiteral("newRoomForm"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
+  sketch_->setMaximumHeight(20 * fontMetrics().height());
   grid->addWidget(sketch_, 0, 0, 1, 4);
   grid->setRowStretch(0, 1);
   for (std::size_t i = 0; i < 3; ++i) {
     labels_[i] = new QLabel(this);
+    labels_[i]->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     fields_[i] = new LengthField(this, unit);
     fields_[i]->setObjectName(QLatin1String(kNames[i]));
     fields_[i]->setRange(kLeast[i], kMost[i]);
@@ -51,6 +53,7 @@ NewRoomForm::NewRoomForm(LengthUnit unit, QWidget* parent)
   connect(start_, &QPushButton::clicked, this, &NewRoomForm::start);
   for (std::size_t i = 1; i < 3; ++i) setTabOrder(fields_[i - 1], fields_[i]);
   setTabOrder(fields_[2], start_);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   setFocusProxy(fields_[0]);
   draw();
   retranslate();

@@ -24,7 +24,7 @@ namespace idap {
 
 namespace {
 
-constexpr int kPictureWidth = 144, kPictureHeight = 90;  // logical pixels
+constexpr int kPictureWidth = 132, kPictureHeight = 83;  // logical pixels
 constexpr int kFileRole = Qt::UserRole, kPictureRole = Qt::UserRole + 1;
 
 QLabel* heading(QWidget* parent, double scale) {
@@ -33,6 +33,7 @@ QLabel* heading(QWidget* parent, double scale) {
   font.setPointSizeF(font.pointSizeF() * scale);
   font.setBold(true);
   label->setFont(font);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   return label;
 }
 
@@ -43,10 +44,10 @@ QListWidget* pictureList(QWidget* parent, const char* name) {
   list->setMovement(QListView::Static);
   list->setResizeMode(QListView::Adjust);
   list->setIconSize({kPictureWidth, kPictureHeight});
-  list->setSpacing(6);
+  list->setSpacing(3);
   list->setWordWrap(true);
   list->setUniformItemSizes(true);
-  list->setTextElideMode(Qt::ElideMiddle);
+  list->setTextElideMode(Qt::ElideRight);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list->setMouseTracking(true);
@@ -125,18 +126,23 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
   open_->setObjectName(QStringLiteral("openFile"));
   open_->setIcon(icon("open"));
   motto_->setWordWrap(true);
+  motto_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   noRecent_->setWordWrap(true);
   noRecent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
 
+  const int gap = fontMetrics().height() / 2;
   auto* left = new QVBoxLayout;
+  left->setSpacing(gap);  // not that of the columns, which it would take over
   left->addWidget(roomTitle_);
-  left->addWidget(room_, 1);
+  left->addWidget(room_, 10);
   left->addSpacing(fontMetrics().height());
   auto* opening = new QHBoxLayout;
   opening->addWidget(open_);
   opening->addStretch();
   left->addLayout(opening);
+  left->addStretch(1);
   auto* right = new QVBoxLayout;
+  right->setSpacing(gap);
   right->addWidget(templatesTitle_);
   right->addWidget(templates_, 3);
   right->addSpacing(fontMetrics().height() / 2);
@@ -146,7 +152,7 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
   auto* columns = new QHBoxLayout;
   columns->setSpacing(2 * fontMetrics().height());
   columns->addLayout(left, 10);
-  columns->addLayout(right, 12);
+  columns->addLayout(right, 13);
   auto* all = new QVBoxLayout(this);
   const int margin = fontMetrics().height() * 3 / 2;
   all->setContentsMargins(margin * 2, margin, margin * 2, margin);
@@ -203,7 +209,7 @@ void WelcomePage::fillTemplates() {
   for (const HomeTemplate& home : homeTemplates(preferences_.language())) {
     auto* item = new QListWidgetItem(home.name, templates_);
     item->setToolTip(tr("Starts a new home like this one"));
-    item->setSizeHint({kPictureWidth + 16, kPictureHeight + fontMetrics().height() * 2});
+    item->setSizeHint({kPictureWidth + 12, kPictureHeight + fontMetrics().height() * 5 / 2});
     setFile(item, home.file, home.picture);
   }
   if (isVisible()) loadPictures(templates_);
@@ -214,7 +220,7 @@ void WelcomePage::fillRecent() {
   for (const QString& file : preferences_.recentFiles()) {
     auto* item = new QListWidgetItem(QFileInfo(file).completeBaseName(), recent_);
     item->setToolTip(QDir::toNativeSeparators(file));
-    item->setSizeHint({kPictureWidth + 16, kPictureHeight + fontMetrics().height() * 2});
+    item->setSizeHint({kPictureWidth + 12, kPictureHeight + fontMetrics().height() * 5 / 2});
     setFile(item, file, recentPicture(file));
   }
   recent_->setVisible(recent_->count() > 0);

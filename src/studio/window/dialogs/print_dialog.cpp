@@ -137,8 +137,8 @@ void PrintDialog::retranslate() {
   paperLabel_->setText(tr("P&aper"));
   orientationLabel_->setText(tr("&Orientation"));
   scale_->setItemText(0, tr("As large as fits"));
-  orientation_->setItemText(0, tr("Upright"));
-  orientation_->setItemText(1, tr("Lying"));
+  orientation_->setItemText(0, tr("Portrait"));
+  orientation_->setItemText(1, tr("Landscape"));
   title_->setText(tr("&Title, notes, scale and date"));
   title_->setToolTip(tr("Along the lower edge; title and notes are those of the Text command"));
   print_->setText(tr("&Print…"));
