@@ -41,8 +41,7 @@ QString filters() {
 }
 
 // The town that this machine's time zone is named after, at eleven on midsummer's day.
-Site siteOfThisMachine() {
-  Site site;
+void placeWhereThisMachineIs(Site& site) {
   const QTimeZone zone = QTimeZone::systemTimeZone();
   for (const City& city : cities()) {
     if (zone.id() != city.timeZone || !zone.id().endsWith(QByteArray(city.name).replace(' ', '_'))) continue;
@@ -52,7 +51,6 @@ Site siteOfThisMachine() {
     const QDate midsummer(QDate::currentDate().year(), city.latitude < 0 ? 12 : 6, 21);
     site.time = QDateTime(midsummer, QTime(11, 0), zone).toMSecsSinceEpoch();
   }
-  return site;
 }
 
 }  // namespace
@@ -154,8 +152,7 @@ void FileFlow::newRoom(double x, double y, double z) {
   whenSafe([this, x, y, z] {
     recovery_.drop();
     Home home = makeRoomHome(x, y, z, preferences_.editor().wallThickness, fromQt(tr("Room")));
-    home.site = siteOfThisMachine();
-    home.site.compassPosition = {x + 1, y - 0.5};  // beside the room
+    placeWhereThisMachineIs(home.site);
     file_.start(std::move(home));
     setOpen(true);
     emit titleChanged();

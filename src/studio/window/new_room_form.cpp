@@ -17,11 +17,10 @@ constexpr std::array<const char*, 3> kNames{"roomX", "roomY", "roomZ"};
 }  // namespace
 
 NewRoomForm::NewRoomForm(LengthUnit unit, QWidget* parent)
-    : QWidget(parent), unit_(unit), sketch_(new RoomSketch(this)), start_(new QPushButton(this)) {
+    : QWidget(parent), unit_(unit), sketch_(new RoomSketch(this)) {
   setObjectName(QStringLiteral("newRoomForm"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
-  sketch_->setMaximumHeight(20 * fontMetrics().height());
   grid->addWidget(sketch_, 0, 0, 1, 4);
   grid->setRowStretch(0, 1);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -46,15 +45,14 @@ NewRoomForm::NewRoomForm(LengthUnit unit, QWidget* parent)
     connect(fields_[i], &ValueField::valueStepping, this, follow);
     connect(fields_[i], &ValueField::valueChanged, this, follow);
   }
+  // Made in the order of the keyboard's way through them.
+  start_ = new QPushButton(this);
   start_->setObjectName(QStringLiteral("startRoom"));
   start_->setDefault(true);
   start_->setAutoDefault(true);
   grid->addWidget(start_, 2, 3);
   connect(start_, &QPushButton::clicked, this, &NewRoomForm::start);
-  for (std::size_t i = 1; i < 3; ++i) setTabOrder(fields_[i - 1], fields_[i]);
-  setTabOrder(fields_[2], start_);
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-  setFocusProxy(fields_[0]);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   draw();
   retranslate();
 }

@@ -38,7 +38,7 @@ class NewRoomForm : public QWidget {
   std::array<LengthField*, 3> fields_{};
   std::array<QLabel*, 3> labels_{};
   RoomSketch* sketch_;
-  QPushButton* start_;
+  QPushButton* start_ = nullptr;
 };
 
 }  // namespace idap

@@ -52,7 +52,7 @@ void RoomSketch::setRoom(double x, double y, double z, LengthUnit unit) {
 
 QSize RoomSketch::sizeHint() const {
   const int em = fontMetrics().height();
-  return {26 * em, 11 * em};
+  return {30 * em, 17 * em};
 }
 
 void RoomSketch::changeEvent(QEvent* event) {

@@ -134,7 +134,7 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
   auto* left = new QVBoxLayout;
   left->setSpacing(gap);  // not that of the columns, which it would take over
   left->addWidget(roomTitle_);
-  left->addWidget(room_, 10);
+  left->addWidget(room_);
   left->addSpacing(fontMetrics().height());
   auto* opening = new QHBoxLayout;
   opening->addWidget(open_);
@@ -180,7 +180,6 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
   connect(&preferences_, &Preferences::recentChanged, this, &WelcomePage::fillRecent);
   connect(&preferences_, &Preferences::editorChanged, this,
           [this] { room_->setUnit(preferences_.editor().unit); });
-  setFocusProxy(room_);
   retranslate();
 }
 

@@ -9,24 +9,12 @@
 
 namespace idap {
 
-namespace {
-
-// Where the toolbar has another word than the tool: 1993's for selecting, and one that tells labels from the
-// Text command.
-const char* wordOf(const std::string& tool) {
-  if (tool == "select") return QT_TRANSLATE_NOOP("idap", "Point");
-  if (tool == "label") return QT_TRANSLATE_NOOP("idap", "Label");
-  return "";
-}
-
-}  // namespace
-
 WindowActions::WindowActions(Editor& editor, QWidget* window)
     : QObject(window), editor_(editor), window_(window) {
   for (const ToolEntry& tool : tools()) {
     const ToolInfo& info = *tool.info;
     const std::string id = info.id;
-    QAction* action = make({info.id, info.name, info.tip, info.shortcut, wordOf(id)}, "tool-" + id);
+    QAction* action = make({info.id, info.name, info.tip, info.shortcut}, "tool-" + id);
     action->setCheckable(true);
     connect(action, &QAction::triggered, this, [this, id] {
       editor_.takeTool(id);

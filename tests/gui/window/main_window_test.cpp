@@ -40,9 +40,14 @@ TEST_F(MainWindowTest, ANewRoomIsTypedIntoTheWelcomePage) {
   QTest::keyClicks(x, "4m");
   auto* y = find<QLineEdit>("roomY");
   QTest::keyClick(x, Qt::Key_Tab);
+  EXPECT_TRUE(y->hasFocus());
   y->selectAll();
   QTest::keyClicks(y, "300+20");
-  QTest::mouseClick(find<QPushButton>("startRoom"), Qt::LeftButton);
+  QTest::keyClick(y, Qt::Key_Tab);
+  EXPECT_TRUE(find<QLineEdit>("roomZ")->hasFocus());
+  QTest::keyClick(find<QLineEdit>("roomZ"), Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "startRoom");
+  QTest::keyClick(find<QPushButton>("startRoom"), Qt::Key_Return);
   ASSERT_TRUE(window().files().isOpen());
   const Home& home = editor().home();
   EXPECT_EQ(home.walls.size(), 4u);

@@ -17,8 +17,6 @@ NewRoomDialog::NewRoomDialog(LengthUnit unit, QWidget* parent)
     emit started(x, y, z);
   });
   setWindowTitle(tr("New room"));
-  const int em = fontMetrics().height();
-  resize(40 * em, 22 * em);
   form_->focusFirst();
 }
 
