@@ -19,7 +19,11 @@ QPolygonF Canvas::polygon(const std::vector<Vec2>& points) const {
 QPen Canvas::pen(const QColor& color, double width, Qt::PenStyle style) const {
   QPen pen(color, width, style, Qt::RoundCap, Qt::RoundJoin);
   if (style != Qt::SolidLine) pen.setCapStyle(Qt::FlatCap);
-  if (!printing_ && width <= 1) pen.setWidthF(1), pen.setCosmetic(true);
+  if (!printing_ && width <= 1) {
+    pen.setWidthF(1), pen.setCosmetic(true);
+    // Dashes of the fastest lines would begin anew at the edge of each part that is painted.
+    if (style != Qt::SolidLine) pen.setWidthF(kDashedWidth);
+  }
   if (printing_) pen.setWidthF(width * 0.6);  // ink is sharper than a screen
   return pen;
 }

@@ -20,6 +20,8 @@ namespace idap {
 
 // Texts smaller than this, in pixels, are left out: nobody can read them.
 inline constexpr double kSmallestText = 7;
+// Pixels that a dashed line is wide at least; its dashes are counted in this.
+inline constexpr double kDashedWidth = 1.01;
 
 class Canvas {
  public:

@@ -19,8 +19,12 @@ class StoreyPainter : public Painter {
  public:
   void paint(const Drawing& drawing, Canvas& c) const override {
     const double floor = drawing.elevation();
-    const double ceiling = floor + heightOf(drawing);
-    const double left = c.area.min.x, right = c.area.max.x;
+    const double ceiling = floor + storeyHeight(drawing.home, drawing.level);
+    // Dashes begin at the same places whatever part is painted, so that parts fit together. They repeat after
+    // 6 and after 9 times their width.
+    constexpr double kRepeat = 18 * kDashedWidth;
+    const double repeat = kRepeat / c.view.scale;
+    const double left = std::floor(c.area.min.x / repeat) * repeat, right = c.area.max.x;
     c.p.setPen(c.pen(c.colors.faint, 1, Qt::DashLine));
     for (const auto& [id, level] : drawing.home.levels)
       if (!(id == drawing.level)) c.line({left, level->elevation}, {right, level->elevation});
@@ -35,17 +39,9 @@ class StoreyPainter : public Painter {
   }
   void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,
                DirtyBoxes& dirty) const override {
-    if (!diff.levels.empty() || heightOf(before) != heightOf(after)) dirty.all = true;
-  }
-  void extend(const Drawing& drawing, Box2& box) const override {
-    if (box.empty()) return;
-    box.add({box.min.x, drawing.elevation()});
-    box.add({box.min.x, drawing.elevation() + heightOf(drawing)});
-  }
-
-  static double heightOf(const Drawing& drawing) {
-    const Level* level = drawing.home.levels.find(drawing.level);
-    return level ? level->height : drawing.home.wallHeight;
+    if (!diff.levels.empty() ||
+        storeyHeight(before.home, before.level) != storeyHeight(after.home, after.level))
+      dirty.all = true;
   }
 };
 
@@ -155,6 +151,10 @@ class ElevationPainter : public Painter {
         for (const WallFace& face : wallFaces(drawing.home, id, *wall, drawing.plane, drawing.section))
           add(box, bounds(face.polygon));
     add(box, drawing.pieces.bounds());
+    if (box.empty()) return;  // a floor and a ceiling alone are without an end
+    const double left = box.min.x, floor = drawing.elevation();
+    box.add({left, floor});
+    box.add({left, floor + storeyHeight(drawing.home, drawing.level)});
   }
 
  private:

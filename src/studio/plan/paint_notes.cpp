@@ -1,8 +1,10 @@
-// What is written over the plan: dimensions, labels, polylines.
+// What is written over a drawing: dimensions; on the plan labels and polylines.
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "editor/hit_test_shapes.h"
 #include "studio/plan/painters.h"
 #include "studio/plan/smooth_line.h"
 #include "studio/widgets/texts.h"
@@ -11,52 +13,51 @@ namespace idap {
 
 namespace {
 
+// On the plan, and from the side where it tells a height.
 class DimensionPainter : public Painter {
  public:
   void paint(const Drawing& drawing, Canvas& c) const override {
     for (const auto& [id, dimension] : drawing.home.dimensions)
-      if (dimension->level == drawing.level && c.shows(dimensionBox(*dimension), 10))
-        draw(drawing, c, *dimension);
+      if (const auto line = lineOf(drawing, *dimension); line && c.shows(dimensionBox(*line, *dimension), 10))
+        draw(drawing, c, *dimension, *line);
   }
   void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,
                DirtyBoxes& dirty) const override {
-    const auto box = [](DimensionId, const Dimension& d) { return dimensionBox(d); };
-    addChanged(diff.dimensions, before.home.dimensions, after.home.dimensions, box, box, dirty);
+    const auto box = [](const Drawing& drawing) {
+      return [&drawing](DimensionId, const Dimension& d) {
+        const auto line = lineOf(drawing, d);
+        return line ? dimensionBox(*line, d) : Box2{};
+      };
+    };
+    addChanged(diff.dimensions, before.home.dimensions, after.home.dimensions, box(before), box(after),
+               dirty);
   }
   void extend(const Drawing& drawing, Box2& box) const override {
     for (const auto& [id, d] : drawing.home.dimensions)
-      if (d->level == drawing.level) {
-        const Vec2 aside = offsetOf(*d);
-        box.add(d->start + aside), box.add(d->end + aside);
-      }
+      if (const auto line = lineOf(drawing, *d)) box.add(line->from), box.add(line->to);
   }
 
  private:
-  static Vec2 offsetOf(const Dimension& d) {
-    const Vec2 along = d.end - d.start;
-    const double distance = length(along);
-    return distance > 1e-9 ? perpendicular(along) * (d.offset / distance) : Vec2{};
+  static std::optional<DimensionLine> lineOf(const Drawing& drawing, const Dimension& d) {
+    if (!(d.level == drawing.level)) return {};
+    return dimensionLine(drawing.plane, d, drawing.elevation());
   }
-  static Box2 dimensionBox(const Dimension& d) {
+  static Box2 dimensionBox(const DimensionLine& line, const Dimension& d) {
     Box2 box;
-    const Vec2 aside = offsetOf(d);
-    for (const Vec2 p : {d.start, d.end, d.start + aside, d.end + aside}) box.add(p);
-    return grown(box, d.textSize * 2 + 0.1);
+    for (const Vec2 p : {line.start, line.end, line.from, line.to}) box.add(p);
+    return grown(box, d.textSize * 4 + 0.1);  // a text may be longer than its line
   }
-  static void draw(const Drawing& drawing, Canvas& c, const Dimension& d) {
-    const Vec2 aside = offsetOf(d), a = d.start + aside, b = d.end + aside;
-    const double flat = length(b - a);
-    const double high = d.endElevation - d.startElevation;
-    if (flat < 1e-9) return;
-    const Vec2 along = (b - a) / flat;
+  static void draw(const Drawing& drawing, Canvas& c, const Dimension& d, const DimensionLine& line) {
+    const Vec2 a = line.from, b = line.to, aside = a - line.start;
+    const Vec2 along = (b - a) / length(b - a);
     const QColor color = d.color ? c.colors.readable(*d.color) : c.colors.ink;
     c.p.setPen(c.pen(mixed(c.colors.paper, color, 0.5)));
     if (const double reach = length(aside);
         reach > 1e-9) {  // extension lines, a little off what they measure
       const Vec2 way = aside / reach;
       const double off = std::min(3 / c.view.scale, reach / 2), past = 4 / c.view.scale;
-      c.line(d.start + way * off, a + way * past);
-      c.line(d.end + way * off, b + way * past);
+      c.line(line.start + way * off, a + way * past);
+      c.line(line.end + way * off, b + way * past);
     }
     c.p.setPen(c.pen(color, 1));
     c.line(a, b);
@@ -67,14 +68,17 @@ class DimensionPainter : public Painter {
     c.line(b - tick, b + tick);
     TextStyle style;
     style.size = d.textSize;
-    const QString words = lengthText(std::hypot(flat, high), drawing.settings.unit);
+    // What is measured lies in space: its length is the same on every plane.
+    const double measured = std::hypot(length(d.end - d.start), d.endElevation - d.startElevation);
     const double angle = uprightAngle(std::atan2(along.y, along.x));
     // On the side away from what is measured, where there is room; above a line that lies on it.
     Vec2 beside = perpendicular(rotated(Vec2{1, 0}, angle));
     if (dot(beside, aside) < -1e-9) beside = -beside;
     beside = beside * (d.textSize * 0.62 + 2 / c.view.scale);
     c.p.setPen(c.pen(color));
-    c.text((a + b) * 0.5 + beside, words, c.fontOf(style), angle);
+    // From the side it stands before walls and furniture.
+    c.text((a + b) * 0.5 + beside, lengthText(measured, drawing.settings.unit), c.fontOf(style), angle,
+           TextAlignment::Centre, drawing.plane == Plane::XY ? Canvas::Ground::None : Canvas::Ground::Halo);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <cmath>
 
+#include "editor/hit_test_shapes.h"
 #include "model/wall_outline.h"
 #include "studio/plan/camera_shape.h"
 #include "studio/plan/elevation.h"
@@ -262,12 +263,9 @@ std::vector<Polygon> outlinesOf(const Drawing& drawing, AnyId any) {
                  [&](CameraId) {},  // drawn strong instead
                  [&](DimensionId id) {
                    const Dimension* d = home.dimensions.find(id);
-                   if (!d || !plan || !(d->level == drawing.level)) return;
-                   const Vec2 along = d->end - d->start;
-                   const double distance = length(along);
-                   const Vec2 aside =
-                       distance > 1e-9 ? perpendicular(along) * (d->offset / distance) : Vec2{};
-                   rings.push_back({d->start, d->start + aside, d->end + aside, d->end});
+                   if (!d || !(d->level == drawing.level)) return;
+                   if (const auto line = dimensionLine(drawing.plane, *d, drawing.elevation()))
+                     rings.push_back({line->start, line->from, line->to, line->end});
                  },
                  [&](LabelId id) {
                    const Label* label = home.labels.find(id);

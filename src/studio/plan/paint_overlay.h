@@ -14,6 +14,10 @@ std::vector<Polygon> outlinesOf(const Drawing& drawing, AnyId id);
 
 void paintSelection(const Drawing& drawing, Canvas& canvas, const Elements& selection);
 void paintHover(const Drawing& drawing, Canvas& canvas, AnyId id);
+// Names of cameras that are selected or under the pointer only: all names would cover the drawing. None
+// covers another.
+void paintCameraNames(const Drawing& drawing, Canvas& canvas, const Elements& selection,
+                      std::optional<AnyId> hovered);
 // XZ, YZ: the heights of floors and ceilings, at the left edge.
 void paintHeights(const Drawing& drawing, Canvas& canvas, const QRectF& visible);
 // visible: of the view, in pixels; what stands beside the pointer stays within.

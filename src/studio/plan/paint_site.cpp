@@ -1,9 +1,7 @@
-// What lies around the plan: the scanned plan under it, the compass, the points of view.
+// What lies around the plan: the scanned plan under it, the compass.
 #include <QPainterPath>
 #include <cmath>
 
-#include "editor/hit_test_shapes.h"
-#include "studio/plan/camera_shape.h"
 #include "studio/plan/painters.h"
 #include "studio/plan/pictures.h"
 #include "studio/widgets/texts.h"
@@ -89,72 +87,7 @@ class CompassPainter : public Painter {
   }
 };
 
-class CameraPainter : public Painter {
- public:
-  void paint(const Drawing& drawing, Canvas& c) const override {
-    for (const auto& [id, camera] : drawing.home.cameras)
-      if (c.shows(cameraBox(drawing.plane, *camera), 20)) drawCamera(c, drawing.plane, *camera, false);
-  }
-  void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,
-               DirtyBoxes& dirty) const override {
-    const auto box = [&](CameraId, const Camera& camera) {
-      return grown(cameraBox(after.plane, camera), textBox({}, camera.name, 0.2).max.x);
-    };
-    addChanged(diff.cameras, before.home.cameras, after.home.cameras, box, box, dirty);
-  }
-};
-
 }  // namespace
-
-Box2 cameraBox(Plane plane, const Camera& camera) {
-  const Vec2 eye = project(plane, camera.eye);
-  return grown({eye, eye}, kCameraCone);
-}
-
-void drawCamera(Canvas& c, Plane plane, const Camera& camera, bool strong) {
-  const Vec2 eye = project(plane, camera.eye);
-  const QPointF at = c.at(eye);
-  const Vec3 look = viewDirection(camera);
-  const Vec2 flat = project(plane, look);
-  const QColor color = strong ? c.colors.accent : c.colors.soft;
-  if (const double share = length(flat); share > 0.05) {
-    const Vec2 way = flat / share;
-    // What the lens takes in, as far as this plane shows it.
-    double half =
-        plane == Plane::XY ? camera.fieldOfView / 2 : std::atan(std::tan(camera.fieldOfView / 2) * 0.75);
-    half = std::clamp(half, 0.05, kPi * 0.49);
-    const double reach = kCameraCone * (0.4 + 0.6 * share);
-    const Vec2 left = eye + rotated(way, half) * reach, right = eye + rotated(way, -half) * reach;
-    QColor cone = color;
-    cone.setAlphaF(strong ? 0.16f : 0.1f);
-    c.p.setPen(Qt::NoPen);
-    c.p.setBrush(cone);
-    c.p.drawPolygon(c.polygon({eye, left, right}));
-    c.p.setPen(c.pen(color, 1));
-    c.line(eye, left);
-    c.line(eye, right);
-    const QPointF u(way.x, -way.y), v(way.y, way.x);
-    // The body with its lens, the same at any scale.
-    c.p.setPen(c.pen(color, 1.2));
-    c.p.setBrush(strong ? c.colors.accent : c.colors.paper);
-    c.p.drawPolygon(
-        QPolygonF{at + u * 2 + v * 4, at + u * 8 + v * 6, at + u * 8 - v * 6, at + u * 2 - v * 4});
-    c.p.drawPolygon(
-        QPolygonF{at + u * 2 + v * 6, at + u * 2 - v * 6, at - u * 9 - v * 6, at - u * 9 + v * 6});
-  } else {  // looking at us or away from us
-    c.p.setPen(c.pen(color, 1.2));
-    c.p.setBrush(strong ? c.colors.accent : c.colors.paper);
-    c.p.drawRoundedRect(QRectF(at.x() - 7, at.y() - 6, 14, 12), 2, 2);
-    c.p.drawEllipse(at, 3.4, 3.4);
-  }
-  if (!camera.name.empty() && c.view.scale > 25) {
-    c.p.setPen(c.pen(color));
-    c.p.save();
-    c.text(eye + Vec2{0, -18 / c.view.scale}, toQt(camera.name), c.smallFont(c.font().pixelSize() * 0.9), 0,
-           TextAlignment::Centre, Canvas::Ground::Halo);
-    c.p.restore();
-  }
-}
 
 const Painter& backgroundPainter() {
   static const BackgroundPainter painter;
@@ -162,10 +95,6 @@ const Painter& backgroundPainter() {
 }
 const Painter& compassPainter() {
   static const CompassPainter painter;
-  return painter;
-}
-const Painter& cameraPainter() {
-  static const CameraPainter painter;
   return painter;
 }
 

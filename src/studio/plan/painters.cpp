@@ -10,7 +10,7 @@ std::vector<const Painter*> painters(Plane plane, bool onPaper) {
            &polylinePainter(),   &dimensionPainter(), &labelPainter(),      &compassPainter(),
            &cameraPainter()};
   } else {
-    all = {&gridPainter(), &storeyPainter(), &elevationPainter(), &cameraPainter()};
+    all = {&gridPainter(), &storeyPainter(), &elevationPainter(), &dimensionPainter(), &cameraPainter()};
   }
   if (onPaper)
     std::erase_if(all, [](const Painter* p) {

@@ -144,6 +144,7 @@ void PlanView::Impl::paint(QPainter& p, const QRect& area) {
   if (hovered && !onHandle && !contains(editor.selection(), *hovered) && !panning)
     paintHover(drawing, canvas, *hovered);
   paintSelection(drawing, canvas, editor.selection());
+  paintCameraNames(drawing, canvas, editor.selection(), hovered);
   paintOverlay(canvas, overlay, editor.settings().unit, visible);
   if (editor.settings().rulersShown)
     paintRulers(p, self.rect(), view, colors, self.font(), editor.settings().unit, pointer);
