@@ -3737,10 +3737,6 @@
         <translation>ลากเพื่อเลื่อนเส้นออกจากสิ่งที่วัด</translation>
     </message>
     <message>
-        <source>Select</source>
-        <translation>เลือก</translation>
-    </message>
-    <message>
         <source>Select things, and move, turn and resize them by their handles</source>
         <translation>เลือกสิ่งต่าง ๆ แล้วย้าย หมุน ปรับขนาดด้วยจุดจับ</translation>
     </message>
@@ -4572,6 +4568,14 @@
         <source>%1 is not a home; begin a room first, then drop it there</source>
         <translation>%1 ไม่ใช่ไฟล์บ้าน เริ่มห้องก่อน แล้วลากมาวางในห้อง</translation>
     </message>
+    <message>
+        <source>Label</source>
+        <translation>ป้ายข้อความ</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>ชี้</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -5380,6 +5384,10 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>Tables</source>
         <translation>ตาราง</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>ยินดีต้อนรับ</translation>
     </message>
 </context>
 <context>
