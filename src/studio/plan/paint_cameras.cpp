@@ -79,7 +79,7 @@ void paintCameraNames(const Drawing& drawing, Canvas& c, const Elements& selecti
   if (hovered)
     if (const auto* id = std::get_if<CameraId>(&*hovered)) shown.push_back(*id);
   shown.insert(shown.end(), selection.cameras.begin(), selection.cameras.end());
-  const QFont font = c.smallFont(c.font().pixelSize() * 0.85);
+  const QFont font = c.smallFont(c.font().pixelSize() * 0.9);
   const QFontMetricsF metrics(font);
   std::vector<QRectF> taken;
   for (const CameraId id : shown) {
@@ -101,10 +101,8 @@ void paintCameraNames(const Drawing& drawing, Canvas& c, const Elements& selecti
       // A rim of paper around each letter hides less than a box.
       QPainterPath letters;
       letters.addText(box.left(), box.top() + metrics.ascent(), font, name);
-      QColor rim = c.colors.paper;
-      rim.setAlphaF(0.85f);
       c.p.setBrush(Qt::NoBrush);
-      c.p.setPen(QPen(rim, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      c.p.setPen(QPen(c.colors.paper, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       c.p.drawPath(letters);
       c.p.fillPath(letters, c.colors.accent);
       break;

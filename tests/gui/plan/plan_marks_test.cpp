@@ -93,6 +93,7 @@ TEST_P(SideMarks, AHeightIsDrawnWhereItIsHit) {
   EXPECT_EQ(differing(picture(), after), 0) << "what was patched in is what is painted anew";
 
   const QImage plain = picture();
+  test::shoot(view, "dimension-side");
   Elements chosen;
   chosen.dimensions = {id};
   editor.select(chosen);
@@ -186,12 +187,13 @@ TEST_P(CameraNames, AreShownOfCamerasThatAreSelectedOrUnderThePointerOnly) {
 TEST_P(CameraNames, DoNotCoverEachOther) {
   const Vec3 eye{4.5, 2, 1.6};
   Elements chosen;
-  chosen.cameras = {addCamera("HHHHHHHHHH", eye)};
+  chosen.cameras = {addCamera("From the door", eye)};
   chosen.cameras.push_back(addCamera("", eye));
   editor.select(chosen);
   const QImage one = picture();
-  change(
-      [&](Home& home) { home.cameras.set(chosen.cameras.back(), Camera{.name = "HHHHHHHHHH", .eye = eye}); });
+  change([&](Home& home) {
+    home.cameras.set(chosen.cameras.back(), Camera{.name = "From the door", .eye = eye});
+  });
   const QImage two = picture();
   test::shoot(view, "camera-names");
   const Vec2 at = project(view.plane(), eye), away{0, 20 * view.pixel()};
