@@ -15,6 +15,7 @@
 #include "studio/window/language.h"
 #include "studio/window/main_window_impl.h"
 #include "studio/window/recent_pictures.h"
+#include "studio/window/search_keys.h"
 #include "studio/window/selection_summary.h"
 #include "studio/window/theme.h"
 
@@ -178,6 +179,9 @@ void MainWindow::Impl::makeWidgets() {
   tabs->setDocumentMode(true);
   for (QWidget* list : std::initializer_list<QWidget*>{furniture, cameras, messages})
     tabs->addTab(list, QString());
+  auto* searches = new SearchKeys(w);
+  searches->watch(catalog);
+  searches->watch(furniture);
   catalogDock = dock("catalogDock", catalog, Qt::LeftDockWidgetArea);
   propertyDock = dock("propertyDock", properties, Qt::RightDockWidgetArea);
   listDock = dock("listDock", tabs, Qt::BottomDockWidgetArea);

@@ -157,6 +157,23 @@ TEST_F(MainWindowTest, UndoAndRedoNameTheirStep) {
   EXPECT_EQ(editor().home().furniture.size(), 1u);
 }
 
+TEST_F(MainWindowTest, UndoMeansTheHomeAlsoInTheSearchField) {
+  newRoom();
+  window().activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window()));
+  QTest::keyClick(&window(), Qt::Key_F, Qt::ControlModifier);
+  auto* search = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_TRUE(search);
+  QTest::keyClicks(search, "armchair");
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_EQ(editor().home().furniture.size(), 1u);
+  QTest::keyClick(search, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(editor().home().furniture.size(), 0u);
+  EXPECT_EQ(search->text(), QStringLiteral("armchair"));
+  QTest::keyClick(search, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(editor().home().furniture.size(), 1u);
+}
+
 TEST_F(MainWindowTest, ToolsAreTakenInHandByKeyAndButton) {
   newRoom();
   window().views().plan(Plane::XY).setFocus();
