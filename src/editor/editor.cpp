@@ -163,19 +163,18 @@ void Editor::notify(Change change) {
 
 void Editor::onHome(const Home& before, const Home& after) {
   const Home was = before, now = after;  // a listener may edit
+  // Before anybody is told: who asks for the selection finds only what is there.
+  const bool newLevel = level_ ? !now.levels.contains(level_) : !now.levels.empty();
+  if (newLevel) level_ = now.levels.empty() ? LevelId{} : now.levels.begin()->first;
+  Elements left = followed(was, now, selection_);
+  const bool newSelection = !same(left, selection_);
+  if (newSelection) selection_ = std::move(left);
   const auto listeners = listeners_;
   for (const auto& [handle, listener] : listeners)
     if (listener.homeChanged) listener.homeChanged(was, now);
   notify(Change::Home);
-  if (level_ ? !now.levels.contains(level_) : !now.levels.empty()) {
-    level_ = now.levels.empty() ? LevelId{} : now.levels.begin()->first;
-    notify(Change::Level);
-  }
-  Elements left = followed(was, now, selection_);
-  if (!same(left, selection_)) {
-    selection_ = std::move(left);
-    notify(Change::Selection);
-  }
+  if (newLevel) notify(Change::Level);
+  if (newSelection) notify(Change::Selection);
   notify(Change::Overlay);
 }
 

@@ -26,6 +26,12 @@ void measureStart() {
 int main(int argc, char** argv) {
   idap::setUpProcess();
   idap::setUpLogging();
+  if (!idap::hasDisplay()) {  // where Qt would end the program by a signal
+    std::fputs(
+        "idap: there is no display to open the studio on; 'idap render FILE -o picture.png' needs none\n",
+        stderr);
+    return 1;
+  }
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("idap"));
   QApplication::setApplicationDisplayName(QStringLiteral("IDAP"));

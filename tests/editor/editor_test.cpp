@@ -137,6 +137,17 @@ TEST_F(EditorOf, OpensOnTheLowestStoreyAboveGround) {
   EXPECT_EQ(editor.level(), upper);
 }
 
+TEST_F(EditorOf, ListenersNeverFindWhatIsGoneSelected) {
+  editor.select(only(piece));
+  std::vector<std::size_t> found;
+  editor.subscribe(
+      {.changed = [&](Editor::Change) { found.push_back(count(editor.selection())); },
+       .homeChanged = [&](const Home&, const Home&) { found.push_back(count(editor.selection())); }});
+  editor.apply("Delete", [&](const Home& now) { return deleteElements(now, only(piece)); });
+  ASSERT_FALSE(found.empty());
+  for (const std::size_t selected : found) EXPECT_EQ(selected, 0u);
+}
+
 TEST_F(EditorOf, ListenersMayComeAndGoWhileTold) {
   int told = 0, handle = 0;
   handle = editor.subscribe({.changed = [&](Editor::Change) {

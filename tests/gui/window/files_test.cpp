@@ -1,5 +1,6 @@
 // Files: opening, saving, closing, failing, and getting back what a crash left.
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QListWidget>
@@ -33,6 +34,28 @@ TEST_F(FilesTest, AHomeOpensWithTheWindowAlive) {
   EXPECT_EQ(window().preferences().recentFiles().value(0), sample());
   QTest::qWait(300);
   shoot(window(), "apartment");
+}
+
+TEST_F(FilesTest, ALargeHouseOpensWhileTheWindowLives) {
+  const QString house = QStringLiteral(IDAP_SOURCE_DIR "/../shared/homes/3-BedroomHouseWithMezzanine.sh3d");
+  if (!QFileInfo::exists(house)) GTEST_SKIP() << "the sample homes of ../shared are not there";
+  QElapsedTimer clock, turn;
+  clock.start();
+  turn.start();
+  qint64 longest = 0;
+  window().openFile(house.toStdString());
+  ASSERT_TRUE(waitFor(
+      [&] {
+        longest = std::max(longest, turn.restart());
+        return window().files().isOpen();
+      },
+      20000));
+  window().repaint();
+  RecordProperty("opened_ms", int(clock.elapsed()));
+  RecordProperty("longest_turn_ms", int(longest));
+  EXPECT_GT(editor().home().furniture.size(), 100u);
+  EXPECT_LT(clock.elapsed(), 8000);  // a second on a machine that does nothing else
+  shoot(window(), "house");
 }
 
 TEST_F(FilesTest, WhatCannotBeReadIsSaidAndTheOldHomeStays) {
