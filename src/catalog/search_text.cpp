@@ -9,6 +9,10 @@ namespace {
 // Letters U+00C0 to U+00FF without accent, in lower case; '?' keeps the letter.
 constexpr std::string_view kLatin1 = "aaaaaa?ceeeeiiii?nooooo?ouuuuy??aaaaaa?ceeeeiiii?nooooo?ouuuuy?y";
 
+constexpr int kCategoryWeight = 4;
+constexpr int kWordBegins = 3;  // of wordScore
+constexpr int kOfItsKind = 5;   // who looks for a door means one rather than a cabinet with doors
+
 int wordScore(const std::string& text, const std::string& word) {
   const auto at = text.find(word);
   if (at == std::string::npos) return 0;
@@ -63,12 +67,13 @@ std::vector<std::string> searchWords(std::string_view query) {
 
 SearchFields searchFields(const CatalogPiece& piece) {
   SearchFields fields{{10, foldedText(piece.name)},
-                      {4, foldedText(piece.category)},
+                      {kCategoryWeight, foldedText(piece.category)},
                       {2, foldedText(piece.creator)},
                       {2, foldedText(piece.id)}};
   for (const std::string& tag : piece.tags) fields.emplace_back(6, foldedText(tag));
   for (const auto& [language, texts] : piece.translations)
-    for (const auto& [key, text] : texts) fields.emplace_back(key == "name" ? 9 : 4, foldedText(text));
+    for (const auto& [key, text] : texts)
+      fields.emplace_back(key == "name" ? 9 : kCategoryWeight, foldedText(text));
   return fields;
 }
 
@@ -79,10 +84,14 @@ int searchScore(const CatalogPiece& piece, const std::vector<std::string>& words
 int searchScore(const SearchFields& fields, const std::vector<std::string>& words) {
   int total = 0;
   for (const std::string& word : words) {
-    int best = 0;
-    for (const auto& [weight, text] : fields) best = std::max(best, weight * wordScore(text, word));
+    int best = 0, category = 0;
+    for (const auto& [weight, text] : fields) {
+      const int score = wordScore(text, word);
+      best = std::max(best, weight * score);
+      if (weight == kCategoryWeight && score >= kWordBegins) category = kOfItsKind;
+    }
     if (best == 0) return 0;
-    total += best;
+    total += best + category;
   }
   return total;
 }

@@ -50,6 +50,18 @@ TEST(Catalog, PutsPiecesNamedSoBeforePiecesTaggedSo) {
   EXPECT_EQ(found.front(), "idap/ottoman");
 }
 
+TEST(Catalog, PutsPiecesOfTheKindBeforeThoseThatOnlyNameIt) {
+  for (const auto& [word, category] : {std::pair{"door", "door"},
+                                       {"vanity", "vanity"},
+                                       {"bed", "bed"},
+                                       {"mirror", "vanity"},
+                                       {"lamp", "light"}}) {
+    const auto found = builtinOnly().search(word);
+    ASSERT_FALSE(found.empty()) << word;
+    EXPECT_EQ(found.front()->category, category) << word << ": " << found.front()->name;
+  }
+}
+
 TEST(Catalog, FoldsCaseAndAccentsInSearch) {
   EXPECT_EQ(foldedText("FAUTEUIL Crème"), "fauteuil creme");
   EXPECT_EQ(foldedText("โต๊ะ"), "โต๊ะ");
