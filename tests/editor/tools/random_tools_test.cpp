@@ -16,8 +16,9 @@ TEST_P(RandomTools, UndoLeadsBack) {
   const auto upTo = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   openRoom(4, 3);
   const Home before = home();
-  const char* const pieces[] = {"idap/bed-double", "idap/night-table", "idap/light-globe", "idap/door-double",
-                                "idap/window-double", "idap/table-dining", "idap/vase", "idap/stairs-straight"};
+  const char* const pieces[] = {"idap/bed-double",  "idap/night-table",    "idap/light-globe",
+                                "idap/door-double", "idap/window-double",  "idap/table-dining",
+                                "idap/vase",        "idap/stairs-straight"};
   const char* const typed[] = {"2", "3.5m", "120", "-1", "45", "(", "0", "1+", "90", "10'8\""};
   for (int i = 0; i < 400; ++i) {
     const Vec2 at{upTo(700) / 100.0 - 1.5, upTo(600) / 100.0 - 1.5};
@@ -49,7 +50,8 @@ TEST_P(RandomTools, UndoLeadsBack) {
         type(typed[upTo(10)]);
         break;
       case 8:
-        key(std::array{Key::Enter, Key::Escape, Key::Tab, Key::BackTab, Key::Backspace}[std::size_t(upTo(5))]);
+        key(std::array{Key::Enter, Key::Escape, Key::Tab, Key::BackTab,
+                       Key::Backspace}[std::size_t(upTo(5))]);
         break;
       case 9:
         type("r");

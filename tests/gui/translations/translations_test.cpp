@@ -69,7 +69,8 @@ class Translations : public testing::Test {
 TEST_F(Translations, NothingIsLeftToTranslate) {
   EXPECT_GT(all.size(), 1000u);
   for (const Message& m : all)
-    EXPECT_FALSE(m.unfinished || m.translation.trimmed().isEmpty()) << fromQt(m.context + QStringLiteral(": ") + m.source);
+    EXPECT_FALSE(m.unfinished || m.translation.trimmed().isEmpty())
+        << fromQt(m.context + QStringLiteral(": ") + m.source);
 }
 
 // English has no translation file, so it would show plurals as "1 pieces".
