@@ -74,7 +74,7 @@ void wallsAround(Editor& editor) {
     for (const RoomId id : editor.selection().rooms) {
       const Room* room = home.rooms.find(id);
       const double height =
-          settings.wallHeight > 0 ? settings.wallHeight : ceilingHeight(home, room ? room->level : LevelId{});
+          settings.wallHeight > 0 ? settings.wallHeight : newWallHeight(home, room ? room->level : LevelId{});
       home = wallsAroundRoom(home, id, settings.wallThickness, height);
     }
     return home;

@@ -169,7 +169,7 @@ class WallTool : public Tool {
     wall.thickness = point_.fields().value(kThickness).value_or(thickness(editor));
     wall.heightAtStart = wall.heightAtEnd = editor.settings().wallHeight > 0
                                                 ? editor.settings().wallHeight
-                                                : ceilingHeight(editor.home(), editor.level());
+                                                : newWallHeight(editor.home(), editor.level());
     wall.pattern = editor.settings().wallPattern;
     return wall;
   }

@@ -1,6 +1,7 @@
 #include "model/edits/level_edits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -192,6 +193,18 @@ LevelId levelBelow(const Home& home, LevelId id) {
 }
 
 double ceilingHeight(const Home& home, LevelId id) {
+  if (const Level* level = home.levels.find(id)) return level->height;
+  std::map<long long, std::size_t> walls;  // by height in mm
+  for (const auto& [wallId, wall] : home.walls)
+    if (wall->level == id) ++walls[std::llround(std::max(wall->heightAtStart, wall->heightAtEnd) * 1000)];
+  std::size_t most = 0;
+  double height = home.wallHeight;
+  for (const auto& [millimetres, count] : walls)
+    if (count >= most) most = count, height = static_cast<double>(millimetres) / 1000;
+  return height;
+}
+
+double newWallHeight(const Home& home, LevelId id) {
   const Level* level = home.levels.find(id);
   return level ? level->height : home.wallHeight;
 }

@@ -32,7 +32,11 @@ Home setLevel(const Home& home, LevelId id, const Level& level);
 // The highest viewable level that lies lower than this one; LevelId{} for none.
 LevelId levelBelow(const Home& home, LevelId level);
 
-// The height of a storey's rooms: the level's, or the home's walls' without levels.
+// m from the floor of a storey to its ceiling: the level's own height. A home without levels has none; there
+// it is the height that most of its walls have, of two as common the taller; without walls that of new ones.
 double ceilingHeight(const Home& home, LevelId level);
+
+// The height that new walls of a storey get: the level's, or without levels the home's for new walls.
+double newWallHeight(const Home& home, LevelId level);
 
 }  // namespace idap

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "model/wall_outline.h"
 
@@ -61,18 +60,6 @@ std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, P
     faces.push_back({{{u0, base}, {u1, base}, {u1, z1}, {u0, z0}}, WallFace::Kind::Cut, section});
   }
   return faces;
-}
-
-double storeyHeight(const Home& home, LevelId level) {
-  if (const Level* own = home.levels.find(level)) return own->height;
-  std::map<long long, std::size_t> walls;  // by height in mm
-  for (const auto& [id, wall] : home.walls)
-    if (wall->level == level) ++walls[std::llround(std::max(wall->heightAtStart, wall->heightAtEnd) * 1000)];
-  std::size_t most = 0;
-  double height = home.wallHeight;
-  for (const auto& [millimetres, count] : walls)
-    if (count >= most) most = count, height = double(millimetres) / 1000;
-  return height;
 }
 
 }  // namespace idap

@@ -18,9 +18,4 @@ struct WallFace {
 // not taken out.
 std::vector<WallFace> wallFaces(const Home& home, WallId id, const Wall& wall, Plane plane, double section);
 
-// m above the floor of a level where its ceiling is: the level's own height. A home without levels has none;
-// there it is the height that most of its walls have, of two that are as common the taller; without walls
-// that of new ones.
-double storeyHeight(const Home& home, LevelId level);
-
 }  // namespace idap

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/edits/level_edits.h"
 #include "studio/plan/elevation.h"
 #include "studio/plan/paint_symbol.h"
 #include "studio/plan/painters.h"
@@ -19,7 +20,7 @@ class StoreyPainter : public Painter {
  public:
   void paint(const Drawing& drawing, Canvas& c) const override {
     const double floor = drawing.elevation();
-    const double ceiling = floor + storeyHeight(drawing.home, drawing.level);
+    const double ceiling = floor + ceilingHeight(drawing.home, drawing.level);
     // Dashes begin at the same places whatever part is painted, so that parts fit together. They repeat after
     // 6 and after 9 times their width.
     constexpr double kRepeat = 18 * kDashedWidth;
@@ -40,7 +41,7 @@ class StoreyPainter : public Painter {
   void changed(const HomeDiff& diff, const Drawing& before, const Drawing& after,
                DirtyBoxes& dirty) const override {
     if (!diff.levels.empty() ||
-        storeyHeight(before.home, before.level) != storeyHeight(after.home, after.level))
+        ceilingHeight(before.home, before.level) != ceilingHeight(after.home, after.level))
       dirty.all = true;
   }
 };
@@ -154,7 +155,7 @@ class ElevationPainter : public Painter {
     if (box.empty()) return;  // a floor and a ceiling alone are without an end
     const double left = box.min.x, floor = drawing.elevation();
     box.add({left, floor});
-    box.add({left, floor + storeyHeight(drawing.home, drawing.level)});
+    box.add({left, floor + ceilingHeight(drawing.home, drawing.level)});
   }
 
  private:

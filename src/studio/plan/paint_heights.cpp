@@ -1,6 +1,7 @@
 #include <QFontMetricsF>
 #include <cmath>
 
+#include "model/edits/level_edits.h"
 #include "studio/plan/elevation.h"
 #include "studio/plan/paint_overlay.h"
 #include "studio/widgets/texts.h"
@@ -34,7 +35,7 @@ void paintHeights(const Drawing& drawing, Canvas& c, const QRectF& visible) {
   const double floor = drawing.elevation();
   const Level* own = drawing.home.levels.find(drawing.level);
   write(floor, own ? toQt(own->name) : QString(), c.colors.ink);
-  write(floor + storeyHeight(drawing.home, drawing.level), QString(), c.colors.ink);
+  write(floor + ceilingHeight(drawing.home, drawing.level), QString(), c.colors.ink);
   for (const auto& [id, level] : drawing.home.levels)
     if (!(id == drawing.level)) write(level->elevation, toQt(level->name), c.colors.soft);
 }

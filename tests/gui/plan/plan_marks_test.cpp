@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 
 #include "gui/support/gui_support.h"
+#include "model/edits/level_edits.h"
 #include "studio/plan/elevation.h"
 #include "studio/plan/plan_view.h"
 #include "support/sample_home.h"
@@ -122,7 +123,7 @@ TEST_P(SideMarks, AHomeWithoutLevelsIsAsHighAsItsWallsUsuallyAre) {
       home.walls.set(id, other);
     }
   });
-  EXPECT_DOUBLE_EQ(storeyHeight(editor.home(), {}), 2.7);
+  EXPECT_DOUBLE_EQ(ceilingHeight(editor.home(), {}), 2.7);
   EXPECT_NEAR(view.drawnBox().max.y, 3.4, 1e-6);
   const QImage before = picture();
   change([](Home& home) { home.wallHeight = 3; });
@@ -142,7 +143,7 @@ TEST_P(SideMarks, TheFitShowsTheCeilingOfALevel) {
   for (const auto& [id, piece] : Home(home).furniture) home.furniture.erase(id);
   editor.open(std::make_unique<Document>(std::move(home)));
   editor.setLevel(level);
-  EXPECT_DOUBLE_EQ(storeyHeight(editor.home(), level), 3.1);
+  EXPECT_DOUBLE_EQ(ceilingHeight(editor.home(), level), 3.1);
   EXPECT_NEAR(view.drawnBox().max.y, 3.1, 1e-6);
 }
 

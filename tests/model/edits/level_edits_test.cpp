@@ -124,6 +124,12 @@ TEST(LevelEdits, QueriesKnowWhatLiesBelow) {
   Home flat;
   flat.wallHeight = 2.7;
   EXPECT_EQ(ceilingHeight(flat, LevelId{}), 2.7);
+  Wall wall;
+  wall.end = {3, 0};
+  wall.heightAtStart = wall.heightAtEnd = 2.6;
+  flat.walls.set(flat.newId<WallId>(), wall);
+  EXPECT_DOUBLE_EQ(ceilingHeight(flat, LevelId{}), 2.6);
+  EXPECT_EQ(newWallHeight(flat, LevelId{}), 2.7);
 }
 
 }  // namespace
