@@ -1,5 +1,6 @@
 #include "studio/picture/picture_panel.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDateTime>
 #include <QFileDialog>
@@ -205,6 +206,9 @@ void PicturePanel::Impl::listCameras() {
     at = 0;
   }
   camera->setCurrentIndex(at);
+  // The list that drops down is wide enough for its names, however narrow the box is.
+  QAbstractItemView* names = camera->view();
+  names->setMinimumWidth(names->sizeHintForColumn(0) + 2 * panel.fontMetrics().averageCharWidth());
   showTime();
 }
 

@@ -254,7 +254,10 @@ void MainWindow::Impl::connectParts() {
   QObject::connect(catalog, &CatalogPanel::importRequested, w, [this] { importFurniture(); });
   QObject::connect(cameras, &CameraList::currentChanged, w,
                    [this] { views->picture().setCamera(cameras->current()); });
-  QObject::connect(cameras, &CameraList::pictureRequested, w, [this] { rayTrace(); });
+  QObject::connect(cameras, &CameraList::pictureRequested, w, [this] {
+    views->picture().setCamera(cameras->current());
+    rayTrace();
+  });
   QObject::connect(messages, &MessageList::unseen, w, [this](int warnings) {
     unseenWarnings = warnings;
     retitle();

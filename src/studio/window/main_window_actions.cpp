@@ -491,7 +491,6 @@ void MainWindow::Impl::erase() {
 
 void MainWindow::Impl::rayTrace() {
   if (views->maximised() != ViewArea::kAll && views->maximised() != 3) views->maximise(ViewArea::kAll);
-  views->picture().setCamera(cameras->current());
   views->picture().rayTrace();
 }
 

@@ -1,4 +1,5 @@
 // The window: what is on it, its actions, its views, its languages.
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -13,6 +14,7 @@
 #include "editor/selection.h"
 #include "gui/window/window_fixture.h"
 #include "model/edits/piece_edits.h"
+#include "studio/picture/picture_panel.h"
 #include "studio/plan/plan_view.h"
 #include "studio/window/hint_line.h"
 #include "studio/window/language.h"
@@ -172,6 +174,28 @@ TEST_F(MainWindowTest, UndoMeansTheHomeAlsoInTheSearchField) {
   EXPECT_EQ(search->text(), QStringLiteral("armchair"));
   QTest::keyClick(search, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(editor().home().furniture.size(), 1u);
+}
+
+TEST_F(MainWindowTest, ThePictureIsTakenFromThePointOfViewChosenBesideIt) {
+  newRoom();
+  editor().apply("Camera", [](const Home& home) {
+    Home next = home;
+    Camera camera;
+    camera.name = "Door";
+    camera.eye = {2, 0.5, 1.6};
+    next.cameras.set(next.newId<CameraId>(), camera);
+    return next;
+  });
+  auto* points = window().views().picture().findChild<QComboBox*>("camera");
+  ASSERT_TRUE(points);
+  ASSERT_EQ(points->count(), 2);
+  points->setFocus();
+  QTest::keyClick(points, Qt::Key_Down);
+  EXPECT_EQ(points->currentText(), QStringLiteral("Door"));
+  trigger("ray-trace");
+  EXPECT_TRUE(window().views().picture().busy());
+  EXPECT_EQ(points->currentText(), QStringLiteral("Door"));
+  window().views().picture().stop();
 }
 
 TEST_F(MainWindowTest, ToolsAreTakenInHandByKeyAndButton) {
