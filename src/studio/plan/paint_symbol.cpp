@@ -50,7 +50,10 @@ void SymbolPainter::box(const PieceItem& item, bool faded) {
 }
 
 void SymbolPainter::drawOverhead(const PieceItem& item) {
-  c_.p.setPen(c_.pen(c_.colors.soft, 1, Qt::DashLine));
+  QPen pen = c_.pen(c_.colors.soft, 1, Qt::DashLine);
+  // Qt's fast dashes: a symbol has hundreds of lines, and nobody follows their dashes across a patch.
+  if (!c_.printing()) pen.setWidthF(1);
+  c_.p.setPen(pen);
   c_.p.setBrush(Qt::NoBrush);
   if (!item.symbol || item.symbol->empty()) {
     c_.p.drawPolygon(c_.polygon(item.outline));
