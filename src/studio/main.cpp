@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("idap"));  // the folder of the settings
   QApplication::setApplicationName(QStringLiteral("idap"));
   QApplication::setApplicationDisplayName(QStringLiteral("IDAP"));
   QApplication::setApplicationVersion(QStringLiteral(IDAP_VERSION));

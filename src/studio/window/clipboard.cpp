@@ -50,7 +50,7 @@ void cutSelection(Editor& editor) {
   if (empty(editor.selection())) return;
   copySelection(editor);
   editor.apply(QT_TRANSLATE_NOOP("idap", "Cut"), [selection = editor.selection()](const Home& home) {
-    return deleteElements(home, selection);
+    return deleteElements(home, unlocked(home, selection));  // what is locked is copied, and stays
   });
 }
 

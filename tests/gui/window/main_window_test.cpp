@@ -318,6 +318,20 @@ TEST_F(MainWindowTest, WhatIsCopiedInOneWindowIsPastedInAnother) {
   other->editor().document().markSaved({});
 }
 
+TEST_F(MainWindowTest, CutLeavesWhatIsLocked) {
+  newRoom();
+  const FurnitureId locked = put("idap/chair-windsor", {1, 1}), free = put("idap/chair-windsor", {2, 1});
+  editor().apply("Lock", [&](const Home& home) {
+    return changeFurniture(home, only(locked), [](Furniture& piece) { piece.locked = true; });
+  });
+  Elements both;
+  add(both, locked), add(both, free);
+  editor().select(both);
+  trigger("cut");
+  EXPECT_TRUE(editor().home().furniture.contains(locked));
+  EXPECT_FALSE(editor().home().furniture.contains(free));
+}
+
 TEST_F(MainWindowTest, CutTakesAwayInOneStepAndStyleIsPasted) {
   newRoom();
   const FurnitureId first = put("idap/chair-windsor", {1, 1}), second = put("idap/chair-windsor", {2, 1});
