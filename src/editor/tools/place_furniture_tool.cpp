@@ -6,6 +6,7 @@
 #include "editor/snap.h"
 #include "editor/tools/drawn_point.h"
 #include "editor/tools/place_tool.h"
+#include "editor/tools/placing_tool.h"
 #include "editor/tools/side_fields.h"
 #include "editor/tools/unseen.h"
 #include "model/edits/piece_edits.h"
@@ -29,9 +30,9 @@ const ToolInfo kInfo{"place",
                       {"Alt", QT_TRANSLATE_NOOP("idap", "no snapping")},
                       {"Esc", QT_TRANSLATE_NOOP("idap", "stop")}}};
 
-class PlaceFurnitureTool : public Tool {
+class PlaceFurnitureTool : public PlacingTool {
  public:
-  PlaceFurnitureTool(CatalogPiecePtr piece, bool once) : catalogPiece_(std::move(piece)), once_(once) {}
+  PlaceFurnitureTool(CatalogPiecePtr piece, bool once) : PlacingTool(once), catalogPiece_(std::move(piece)) {}
 
   const ToolInfo& info() const override { return kInfo; }
 
@@ -42,34 +43,6 @@ class PlaceFurnitureTool : public Tool {
     const bool typed = sides_.typing();
     drop(editor);
     return typed;
-  }
-
-  Response pointer(Editor& editor, const PointerEvent& event) override {
-    switch (event.kind) {
-      case PointerEvent::Kind::Move:
-        follow(editor, event);
-        return {};
-      case PointerEvent::Kind::Press:
-        if (event.button == PointerEvent::Button::Right) {
-          drop(editor);
-          return {.finished = true};
-        }
-        pressed_ = true;
-        follow(editor, event);
-        return place(editor);
-      case PointerEvent::Kind::Release:
-        // Dropped, dragged here from the catalog.
-        if (!std::exchange(pressed_, false) && once_ && event.button == PointerEvent::Button::Left) {
-          follow(editor, event);
-          return place(editor);
-        }
-        return {};
-      case PointerEvent::Kind::Leave:
-        drop(editor);
-        return {};
-      default:
-        return {};
-    }
   }
 
   Response key(Editor& editor, const KeyEvent& event) override {
@@ -120,7 +93,7 @@ class PlaceFurnitureTool : public Tool {
     return elements;
   }
 
-  void follow(Editor& editor, const PointerEvent& event) {
+  void follow(Editor& editor, const PointerEvent& event) override {
     if (sides_.typing()) return;  // it stays where the typed distances put it
     pointer_ = event.at;
     if (!preview_ || event.plane != plane_) {
@@ -165,7 +138,7 @@ class PlaceFurnitureTool : public Tool {
     });
   }
 
-  Response place(Editor& editor) {
+  Response place(Editor& editor) override {
     if (!preview_) return {};
     const FurnitureId id = preview_;
     preview_ = {};
@@ -175,21 +148,18 @@ class PlaceFurnitureTool : public Tool {
     return {.finished = once_};
   }
 
-  void drop(Editor& editor) {
+  void drop(Editor& editor) override {
     if (preview_) editor.document().cancel();
     preview_ = {};
     sides_.clear();
     snapped_ = {};
-    pressed_ = false;
   }
 
   CatalogPiecePtr catalogPiece_;
-  bool once_;
   Furniture piece_;
   double height_ = 0;  // m above the level, where it is put in the plan
   double angle_ = 0;
   bool turned_ = false;  // by the user: walls turn it no more
-  bool pressed_ = false;
   Plane plane_ = Plane::XY;
   Vec2 pointer_;
   double unseen_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/snap.h"
+#include "editor/tools/placing_tool.h"
 #include "editor/tools/typed_fields.h"
 #include "editor/tools/unseen.h"
 #include "editor/tools/wall_room.h"
@@ -21,9 +22,9 @@ constexpr std::size_t kBefore = 0, kAfter = 1, kSill = 2;  // fields: along the 
 
 double angleOf(Vec2 direction) { return std::atan2(direction.y, direction.x); }
 
-class PlaceOpeningTool : public Tool {
+class PlaceOpeningTool : public PlacingTool {
  public:
-  explicit PlaceOpeningTool(OpeningToPlace what) : what_(std::move(what)) {}
+  explicit PlaceOpeningTool(OpeningToPlace what) : PlacingTool(what.once), what_(std::move(what)) {}
 
   const ToolInfo& info() const override { return *what_.info; }
 
@@ -42,31 +43,7 @@ class PlaceOpeningTool : public Tool {
 
   Response pointer(Editor& editor, const PointerEvent& event) override {
     if (!ready_) return {.used = false, .finished = true};
-    switch (event.kind) {
-      case PointerEvent::Kind::Move:
-        follow(editor, event);
-        return {};
-      case PointerEvent::Kind::Press:
-        if (event.button == PointerEvent::Button::Right) {
-          drop(editor);
-          return {.finished = true};
-        }
-        pressed_ = true;
-        follow(editor, event);
-        return place(editor);
-      case PointerEvent::Kind::Release:
-        // Dropped, dragged here from the catalog.
-        if (!std::exchange(pressed_, false) && what_.once && event.button == PointerEvent::Button::Left) {
-          follow(editor, event);
-          return place(editor);
-        }
-        return {};
-      case PointerEvent::Kind::Leave:
-        drop(editor);
-        return {};
-      default:
-        return {};
-    }
+    return PlacingTool::pointer(editor, event);
   }
 
   Response key(Editor& editor, const KeyEvent& event) override {
@@ -129,7 +106,7 @@ class PlaceOpeningTool : public Tool {
   Cursor cursor(const Editor&, Plane) const override { return Cursor::Move; }
 
  private:
-  void follow(Editor& editor, const PointerEvent& event) {
+  void follow(Editor& editor, const PointerEvent& event) override {
     if (fields_.typing()) return;  // it stays where the typed distances put it
     pointer_ = event.at;
     plane_ = event.plane;
@@ -283,27 +260,26 @@ class PlaceOpeningTool : public Tool {
     });
   }
 
-  Response place(Editor& editor) {
+  Response place(Editor& editor) override {
     if (!preview_) return {};
     if (!opening_.wall) {
       editor.say(QT_TRANSLATE_NOOP("idap", "Doors and windows stand in walls: click on or beside one"),
                  Editor::Severity::Warning);
-      if (what_.once) drop(editor);
-      return {.finished = what_.once};
+      if (once_) drop(editor);
+      return {.finished = once_};
     }
     const OpeningId id = preview_;
     preview_ = {};
     fields_.define({});
     editor.document().commit();
     editor.select(only(id));
-    return {.finished = what_.once};
+    return {.finished = once_};
   }
 
-  void drop(Editor& editor) {
+  void drop(Editor& editor) override {
     if (preview_) editor.document().cancel();
     preview_ = {};
     fields_.define({});
-    pressed_ = false;
   }
 
   OpeningToPlace what_;
@@ -311,7 +287,6 @@ class PlaceOpeningTool : public Tool {
   Opening opening_;  // where the pointer wants it
   WallId host_;      // the wall it was in last
   int way_ = 0;      // 1: hinges at the other end; 2: to the other side; 3: both
-  bool pressed_ = false;
   Plane plane_ = Plane::XY;
   Vec2 pointer_;
   double distance_ = 0;  // along its wall

@@ -40,14 +40,14 @@ class RoomTool : public OutlineTool {
   }
 
   void offer(const Editor& editor, Vec2 at, Overlay& overlay) const override {
-    const Polygon* area = areaAt(editor, at);
+    const std::optional<Polygon> area = closedAreaAt(editor.home(), editor.level(), at);
     if (!area || roomIn(editor, *area, at)) return;
     overlay.shapes.push_back({*area, true, true});
     overlay.note = QT_TRANSLATE_NOOP("idap", "Double-click makes this a room");
   }
 
   void fill(Editor& editor, Vec2 at) override {
-    const Polygon* area = areaAt(editor, at);
+    const std::optional<Polygon> area = closedAreaAt(editor.home(), editor.level(), at);
     if (!area) {
       editor.say(
           QT_TRANSLATE_NOOP("idap", "No walls close around this point: draw the room corner by corner"),
@@ -67,19 +67,6 @@ class RoomTool : public OutlineTool {
   }
 
  private:
-  // The areas are looked for again only when a wall has changed: the pointer asks for them at every move.
-  const Polygon* areaAt(const Editor& editor, Vec2 at) const {
-    if (!looked_ || lookedLevel_ != editor.level() || walls_.chunks() != editor.home().walls.chunks()) {
-      looked_ = true;
-      lookedLevel_ = editor.level();
-      walls_ = editor.home().walls;
-      areas_ = closedAreas(editor.home(), editor.level());
-    }
-    for (const Polygon& area : areas_)
-      if (contains(area, at)) return &area;
-    return nullptr;
-  }
-
   static std::optional<RoomId> roomIn(const Editor& editor, const Polygon& area, Vec2 at) {
     const double size = std::abs(signedArea(area));
     for (const auto& [id, room] : editor.home().rooms)
@@ -98,11 +85,6 @@ class RoomTool : public OutlineTool {
         }))
       editor.select(only(id));
   }
-
-  mutable bool looked_ = false;
-  mutable LevelId lookedLevel_;
-  mutable Table<WallId, Wall> walls_;
-  mutable std::vector<Polygon> areas_;
 };
 
 }  // namespace

@@ -125,18 +125,6 @@ Home turnElements(const Home& home, const Elements& elements, Vec2 about, double
   return moved(home, withGroups(home, elements), Motion{.angle = angle, .about = about});
 }
 
-Home resizeFurniture(const Home& home, FurnitureId id, Vec3 size) {
-  Home next = home;
-  changeEach(next.furniture, {id}, [size](Furniture& piece) { piece.size = size; });
-  return next;
-}
-
-Home resizeOpening(const Home& home, OpeningId id, Vec3 size) {
-  Home next = home;
-  changeEach(next.openings, {id}, [size](Opening& opening) { opening.size = size; });
-  return next;
-}
-
 GroupEdit groupElements(const Home& home, const Elements& elements, std::string name) {
   std::set<GroupId> parents;
   const auto gather = [&](const auto& table, const auto& ids, auto member) {

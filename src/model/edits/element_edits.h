@@ -41,10 +41,6 @@ Home moveElements(const Home& home, const Elements& elements, Vec3 by);
 // About the vertical axis through a point, counter-clockwise, radians. Joined walls follow.
 Home turnElements(const Home& home, const Elements& elements, Vec2 about, double angle);
 
-// Gives a piece a new size; the middle of its base stays.
-Home resizeFurniture(const Home& home, FurnitureId id, Vec3 size);
-Home resizeOpening(const Home& home, OpeningId id, Vec3 size);
-
 struct GroupEdit {
   Home home;
   GroupId group;

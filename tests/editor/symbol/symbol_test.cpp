@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -148,11 +147,7 @@ TEST(Symbol, BigModelsAreMadeSimpler) {
       ball.mesh.triangles.push_back({b, a + kParts, b + kParts});
     }
   ASSERT_GT(ball.mesh.triangles.size(), 100'000u);
-  const auto start = std::chrono::steady_clock::now();
   const Symbol symbol = makeSymbol(ball, {}, Plane::XY);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(taken.count(), 2.0) << "a tenth of it on a quiet machine";
-  RecordProperty("milliseconds", std::to_string(taken.count() * 1000));
   std::size_t points = 0;
   for (const SymbolLine& line : symbol.lines) points += line.points.size();
   EXPECT_LT(points, 2000u);

@@ -28,8 +28,7 @@ Vec2 newCorner(const Home& home, const Wall& wall, WallId id, WallId neighbour, 
 Home moveAcross(const Home& home, WallId id, const Wall& wall, Vec2 by) {
   const Vec2 start = newCorner(home, wall, id, wall.neighbourAtStart, wall.start, by);
   const Vec2 end = newCorner(home, wall, id, wall.neighbourAtEnd, wall.end, by);
-  const Home next = moveCorner(home, wall.level, wall.start, start);
-  return moveCorner(next, wall.level, wall.end, end);
+  return moveWall(home, id, start, end);
 }
 
 Opening slid(const Opening& opening, const Wall& wall, Vec3 by) {
