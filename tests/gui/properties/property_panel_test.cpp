@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
@@ -242,12 +241,7 @@ TEST_F(PropertyPanelTest, ManyPiecesAreShownAtOnce) {
   editor.apply("Rename", [&](const Home& home) {
     return changePieces(home, all, [](Piece& each) { each.name = "Thing"; });
   });
-  QElapsedTimer timer;
-  timer.start();
   panel.show();
-  const qint64 spent = timer.elapsed();
-  RecordProperty("milliseconds", static_cast<int>(spent));
-  EXPECT_LT(spent, 250);
   EXPECT_EQ(field<TextField>("pieceName")->value(), "Thing");
 }
 

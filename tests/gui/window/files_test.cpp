@@ -54,7 +54,6 @@ TEST_F(FilesTest, ALargeHouseOpensWhileTheWindowLives) {
   RecordProperty("opened_ms", int(clock.elapsed()));
   RecordProperty("longest_turn_ms", int(longest));
   EXPECT_GT(editor().home().furniture.size(), 100u);
-  EXPECT_LT(clock.elapsed(), 8000);  // a second on a machine that does nothing else
   shoot(window(), "house");
 }
 
