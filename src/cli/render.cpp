@@ -34,8 +34,8 @@ struct Options {
   std::string input, output, camera, size = "960x640", integrator = "path", at, lamps = "auto",
                                      tone = "neutral";
   int spp = 0, threads = 0;
-  double time = 0, clouds = 0;
-  std::optional<double> exposure;
+  double time = 0;
+  std::optional<double> exposure, clouds;
   bool noDenoise = false, json = false;
 };
 
@@ -254,7 +254,8 @@ Job describeRender(CLI::App& app) {
       ->type_name("DATETIME");
   app.add_option("--lamps", options->lamps, "auto: as the home has them; on; off")
       ->check(CLI::IsMember({"auto", "on", "off"}));
-  app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast")->check(within(0, 1));
+  app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast; without it, as the home has it")
+      ->check(within(0, 1));
   app.add_option("--threads", options->threads, "Processors to use (all)")->check(CLI::Range(1, 1024));
   app.add_flag("--no-denoise", options->noDenoise, "Leave the noise in");
   app.add_flag("--json", options->json, "Print figures as one JSON object on standard output");

@@ -16,6 +16,7 @@ struct DaylightConditions {
   float turbidity = 2.2f;     // haze: 1 none, 2 very clear, 3 usual, 6 hazy
   float groundAlbedo = 0.2f;  // of what lies outside: 0.2 grass and stone, 0.7 snow
   float cityGlow = 0.001f;    // cd/m2 at the zenith by night; 0 far from towns
+  friend bool operator==(const DaylightConditions&, const DaylightConditions&) = default;
 };
 
 struct Daylight {

@@ -334,6 +334,7 @@ void frameRules(T& home, Judge& j) {
   judgeFinish(home.environment.ground, j);
   judgeColorOption(home.environment.skyColor, j);
   judgeTexture(home.environment.skyTexture, j);
+  j.within(home.environment.cloudiness, 0, 1, 0, "cloudiness out of range: brought into it");
   j.within(home.environment.wallTransparency, 0, 1, 0, "transparency of walls out of range: brought into it");
   j.texts(home.properties);
 }

@@ -26,6 +26,7 @@ struct Environment {
   Finish ground = plain(Color{0.66f, 0.66f, 0.66f});
   std::optional<Color> skyColor;  // none: the physical sky. Kept for exchange; pictures use the physical sky
   std::optional<TextureRef> skyTexture;
+  double cloudiness = 0;        // 0 clear .. 1 overcast: the weather of pictures
   double wallTransparency = 0;  // of a view from above, 0..1
   friend bool operator==(const Environment&, const Environment&) = default;
 };

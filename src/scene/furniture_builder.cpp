@@ -134,8 +134,8 @@ std::optional<FurnitureBuilder::Placed> FurnitureBuilder::place(ElementId id, co
       if (problem.count++ < kNamed) problem.names.push_back(piece.name.empty() ? "a piece" : piece.name);
     }
     if (!boxIfMissing) return std::nullopt;
-    if (!box_) box_ = unitBox();
-    placed.mesh = box_;
+    if (!memory_.missingModel) memory_.missingModel = unitBox();
+    placed.mesh = memory_.missingModel;
   } else {
     placed.model = entry.model.get();
     placed.mesh = entry.mesh;
@@ -155,9 +155,9 @@ std::optional<FurnitureBuilder::Placed> FurnitureBuilder::place(ElementId id, co
       std::string key =
           fmt::format("{} {} {} {} ", static_cast<const void*>(entry.mesh.get()), scale.x, scale.y, scale.z);
       for (const bool b : mappedSlots) key += b ? '1' : '0';
-      auto& mesh = mapped_[key];
-      if (!mesh) mesh = std::make_shared<const Mesh>(boxMapped(*entry.mesh, mappedSlots, scale));
-      placed.mesh = mesh;
+      placed.mesh = memory_.pieceMeshes.get(key, entry.mesh, [&] {
+        return std::make_shared<const Mesh>(boxMapped(*entry.mesh, mappedSlots, scale));
+      });
     }
   }
   instance.mesh = meshIndex(placed.mesh);
@@ -173,13 +173,13 @@ std::optional<FurnitureBuilder::Placed> FurnitureBuilder::place(ElementId id, co
 Vec3 FurnitureBuilder::intoRoom(std::size_t storey, Vec3 point, double radius) const {
   Vec3 p = point + built_.centre;
   constexpr double kClear = 0.005;
-  if (rooms_) {
-    if (const auto ceiling = rooms_->ceilingOver(storey, {p.x, p.y})) {
+  if (structure_ && structure_->rooms) {
+    if (const auto ceiling = structure_->rooms->ceilingOver(storey, {p.x, p.y})) {
       if (p.z + radius > *ceiling - kClear && p.z < *ceiling + 0.4) p.z = *ceiling - kClear - radius;
     }
   }
-  if (walls_) {
-    for (const WallSolid& wall : *walls_) {
+  if (structure_) {
+    for (const WallSolid& wall : structure_->walls) {
       const Vec2 q{p.x, p.y};
       if (wall.storey != storey || p.z < wall.bottom || p.z > wall.topAt(q) || !contains(wall.polygon, q))
         continue;
@@ -204,9 +204,9 @@ Vec3 FurnitureBuilder::intoRoom(std::size_t storey, Vec3 point, double radius) c
   return p - built_.centre;
 }
 
-void FurnitureBuilder::addLight(const Furniture& piece, const Placed& placed, double lumens) {
-  render::Scene& scene = *built_.scene;
-  render::Instance& instance = scene.instances[placed.instance];
+LampLight FurnitureBuilder::lightOf(const Furniture& piece, const Placed& placed,
+                                    const LampOptions& options) const {
+  const render::Scene& scene = *built_.scene;
   Fixture fixture;
   fixture.mesh = placed.model ? placed.mesh.get() : nullptr;
   fixture.meshToScene = placed.meshToScene;
@@ -218,23 +218,54 @@ void FurnitureBuilder::addLight(const Furniture& piece, const Placed& placed, do
     }
   }
   std::vector<const render::Surface*> slots;
-  for (const std::uint32_t s : instance.surfaces) slots.push_back(&scene.surfaces[s]);
+  for (const std::uint32_t s : scene.instances[placed.instance].surfaces) slots.push_back(&scene.surfaces[s]);
+  return lampLight(*piece.lamp, fixture, slots, options);
+}
 
+// The fixture's mesh with slots of their own, from firstSlot on, for the parts that shine.
+std::shared_ptr<const Mesh> FurnitureBuilder::glowingMesh(const Placed& placed, const LampLight& light,
+                                                          std::uint32_t firstSlot) {
+  std::vector<std::uint32_t> slots(placed.mesh->triangles.size());
+  for (std::size_t t = 0; t < slots.size(); ++t) slots[t] = placed.mesh->slotOf(t);
+  for (const LampLight::Glow& glow : light.glows) {
+    for (const std::uint32_t t : glow.triangles) slots[t] = firstSlot;
+    ++firstSlot;
+  }
+  std::string key = fmt::format("{} ", static_cast<const void*>(placed.mesh.get()));
+  key.append(reinterpret_cast<const char*>(slots.data()), slots.size() * sizeof slots[0]);
+  return memory_.pieceMeshes.get(key, placed.mesh, [&] {
+    Mesh mesh = *placed.mesh;
+    mesh.slots = std::move(slots);
+    return std::make_shared<const Mesh>(std::move(mesh));
+  });
+}
+
+void FurnitureBuilder::addLight(FurnitureId id, const std::shared_ptr<const Furniture>& piece,
+                                const Placed& placed, double lumens) {
+  render::Scene& scene = *built_.scene;
   LampOptions options;
   options.lumens = lumens;
   if (scene.lightGroups.size() < kMostGroups) {
     options.lightGroup = static_cast<std::uint16_t>(scene.lightGroups.size());
-    scene.lightGroups.push_back(piece.name.empty() ? "lamp" : piece.name);
+    scene.lightGroups.push_back(piece->name.empty() ? "lamp" : piece->name);
   } else {
     options.lightGroup = static_cast<std::uint16_t>(kMostGroups - 1);
   }
-  const auto storey =
-      std::find_if(storeys_.begin(), storeys_.end(), [&](const Storey& s) { return s.id == piece.level; });
-  const auto index = static_cast<std::size_t>(storey - storeys_.begin());
-  options.intoRoom = [&](Vec3 p, double radius) { return intoRoom(index, p, radius); };
+  const std::size_t storey = storeyOf(storeys_, piece->level);
 
-  const LampLight light = lampLight(*piece.lamp, fixture, slots, options);
-  scene.lamps.insert(scene.lamps.end(), light.bulbs.begin(), light.bulbs.end());
+  // Where light leaves a fixture takes many rays to find out.
+  SceneMemory::LampEntry& known = memory_.lamps[id];
+  if (known.piece != piece || known.mesh != placed.mesh || known.meshToScene != placed.meshToScene ||
+      known.lumens != lumens) {
+    known = {piece, placed.mesh, placed.meshToScene, lumens, lightOf(*piece, placed, options)};
+  }
+  const LampLight& light = known.light;
+  for (render::Lamp bulb : light.bulbs) {
+    bulb.lightGroup = options.lightGroup;
+    bulb.position = toFloat(intoRoom(storey, toDouble(bulb.position), double(bulb.radius)));
+    scene.lamps.push_back(bulb);
+  }
+  render::Instance& instance = scene.instances[placed.instance];
   instance.lightGroup = options.lightGroup;
   for (std::size_t slot = 0; slot < light.slotTranslucent.size(); ++slot) {
     if (!light.slotTranslucent[slot]) continue;
@@ -243,30 +274,19 @@ void FurnitureBuilder::addLight(const Furniture& piece, const Placed& placed, do
     instance.surfaces[slot] = addSurface(std::move(surface));
   }
   if (light.glows.empty()) return;
-  std::vector<std::uint32_t> triangleSlots(placed.mesh->triangles.size());
-  for (std::size_t t = 0; t < triangleSlots.size(); ++t) triangleSlots[t] = placed.mesh->slotOf(t);
+  instance.mesh = meshIndex(glowingMesh(placed, light, static_cast<std::uint32_t>(instance.surfaces.size())));
   for (const LampLight::Glow& glow : light.glows) {
-    for (const std::uint32_t t : glow.triangles) {
-      triangleSlots[t] = static_cast<std::uint32_t>(instance.surfaces.size());
-    }
     render::Surface surface = scene.surfaces[instance.surfaces[glow.slot]];
     surface.emission = glow.emission;
     instance.surfaces.push_back(addSurface(std::move(surface)));
   }
-  auto& glowing = glowing_[{placed.mesh.get(), triangleSlots}];
-  if (!glowing) {
-    Mesh mesh = *placed.mesh;
-    mesh.slots = std::move(triangleSlots);
-    glowing = std::make_shared<const Mesh>(std::move(mesh));
-  }
-  instance.mesh = meshIndex(glowing);
 }
 
-void FurnitureBuilder::add(FurnitureId id, const Furniture& piece, LampPolicy lamps) {
-  const auto placed = place(id, piece, true);
-  if (!placed || !piece.lamp || lamps == LampPolicy::Off) return;
-  const bool on = piece.lamp->on || lamps == LampPolicy::On;
-  if (on) addLight(piece, *placed, piece.lamp->lumens * std::clamp(piece.lamp->dimmer, 0.0, 1.0));
+void FurnitureBuilder::add(FurnitureId id, const std::shared_ptr<const Furniture>& piece, LampPolicy lamps) {
+  const auto placed = place(id, *piece, true);
+  if (!placed || !piece->lamp || lamps == LampPolicy::Off) return;
+  const bool on = piece->lamp->on || lamps == LampPolicy::On;
+  if (on) addLight(id, piece, *placed, piece->lamp->lumens * std::clamp(piece->lamp->dimmer, 0.0, 1.0));
 }
 
 bool FurnitureBuilder::add(OpeningId id, const Opening& opening) {

@@ -1,6 +1,7 @@
 // Loads the models that a home's pieces use, each once and in parallel, and shares their meshes.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,7 +14,12 @@ namespace idap {
 
 class ModelCache {
  public:
-  ModelCache(const Home& home, const Catalog& catalog) : home_(home), catalog_(catalog) {}
+  ModelCache() = default;
+  ModelCache(const Home& home, const Catalog& catalog) { use(home, catalog); }
+
+  // Another state of the home from now on; both must live while the cache is asked. Models that nobody asked
+  // for lately go.
+  void use(const Home& home, const Catalog& catalog);
 
   struct Entry {
     SurfaceModelPtr model;             // null when it could not be had
@@ -28,9 +34,15 @@ class ModelCache {
   std::string keyOf(const Piece& piece) const;
   Entry load(const Piece& piece) const;
 
-  const Home& home_;
-  const Catalog& catalog_;
-  std::map<std::string, Entry> entries_;
+  struct Kept {
+    Entry entry;
+    SharedBytes file;  // held, so that no other file takes its place in memory: its address is in the key
+    std::uint64_t usedAt = 0;
+  };
+  const Home* home_ = nullptr;
+  const Catalog* catalog_ = nullptr;
+  std::map<std::string, Kept> entries_;
+  std::uint64_t build_ = 0;
 };
 
 }  // namespace idap

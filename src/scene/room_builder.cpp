@@ -1,5 +1,7 @@
 #include "scene/room_builder.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -33,10 +35,19 @@ bool inside(const Regions& regions, Vec2 p) {
   return false;
 }
 
-Regions wallPlan(const std::vector<WallSolid>& walls, std::size_t storey, double reaching) {
+constexpr double kFar = 8 * kGap;  // m from a room: walls further away change nothing of it
+
+bool isNear(const WallSolid& wall, const Box2& around) {
+  return wall.box.min.x < around.max.x + kFar && wall.box.max.x > around.min.x - kFar &&
+         wall.box.min.y < around.max.y + kFar && wall.box.max.y > around.min.y - kFar;
+}
+
+// around: only walls near it; none: all.
+Regions wallPlan(const std::vector<WallSolid>& walls, std::size_t storey, double reaching,
+                 const std::optional<Box2>& around = {}) {
   std::vector<Polygon> outlines;
   for (const WallSolid& wall : walls) {
-    if (wall.storey != storey) continue;
+    if (wall.storey != storey || (around && !isNear(wall, *around))) continue;
     const double top = wall.floor + wall.raised + std::max(wall.wall->heightAtStart, wall.wall->heightAtEnd);
     if (top >= reaching) outlines.push_back(wall.polygon);
   }
@@ -100,28 +111,38 @@ RoomBuilder::RoomBuilder(const Home& home, const std::vector<Storey>& storeys,
       holes_(stairHoles(home, storeys)),
       ceilings_(ceilings) {
   for (std::size_t i = 0; i < storeys_.size(); ++i) wallPlans_.push_back(wallPlan(walls_, i, -1e300));
-  for (const auto& [id, room] : home.rooms) {
-    const auto storey = std::ranges::find(storeys_, room->level, &Storey::id);
-    if (storey == storeys_.end()) continue;
-    Room r;
-    r.id = id;
-    r.room = room;
-    r.storey = static_cast<std::size_t>(storey - storeys_.begin());
-    const Regions& wallsHere = wallPlans_[r.storey];
-    Regions drawn = repair(room->points);
-    if (drawn.empty()) continue;
-    if (!wallsHere.empty()) {
-      // A narrow gap between the drawn outline and a wall is closed.
-      const Regions closed = buffer(buffer(unite(drawn, wallsHere), kGap), -kGap);
-      drawn = unite(drawn, intersect(closed, buffer(drawn, 2 * kGap)));
-      drawn = subtract(drawn, wallsHere);
-    }
-    r.plan = withoutSlivers(std::move(drawn));
-    if (!r.plan.empty()) rooms_.push_back(std::move(r));
-  }
+  std::vector<std::pair<RoomId, std::shared_ptr<const idap::Room>>> drawn(home.rooms.begin(),
+                                                                          home.rooms.end());
+  std::vector<std::optional<Room>> plans(drawn.size());
+  tbb::parallel_for(std::size_t{0}, drawn.size(),
+                    [&](std::size_t i) { plans[i] = planOf(drawn[i].first, drawn[i].second); });
+  for (std::optional<Room>& plan : plans)
+    if (plan) rooms_.push_back(std::move(*plan));
   layFloors();
   layDoorsteps();
   findCeilings();
+}
+
+std::optional<RoomBuilder::Room> RoomBuilder::planOf(RoomId id,
+                                                     const std::shared_ptr<const idap::Room>& room) const {
+  const auto storey = std::ranges::find(storeys_, room->level, &Storey::id);
+  if (storey == storeys_.end()) return std::nullopt;
+  Room r;
+  r.id = id;
+  r.room = room;
+  r.storey = static_cast<std::size_t>(storey - storeys_.begin());
+  Regions plan = repair(room->points);
+  if (plan.empty()) return std::nullopt;
+  const Regions wallsHere = wallPlan(walls_, r.storey, -1e300, bounds(room->points));
+  if (!wallsHere.empty()) {
+    // A narrow gap between the drawn outline and a wall is closed.
+    const Regions closed = buffer(buffer(unite(plan, wallsHere), kGap), -kGap);
+    plan = unite(plan, intersect(closed, buffer(plan, 2 * kGap)));
+    plan = subtract(plan, wallsHere);
+  }
+  r.plan = withoutSlivers(std::move(plan));
+  if (r.plan.empty()) return std::nullopt;
+  return r;
 }
 
 void RoomBuilder::layFloors() {
@@ -269,7 +290,7 @@ bool RoomBuilder::goesOn(const StairHole& hole, std::size_t storey, double ceili
 
 Regions RoomBuilder::ceilingRegion(std::size_t index) const {
   const Room& room = rooms_[index];
-  const Regions walls = wallPlan(walls_, room.storey, room.ceiling - 0.1);
+  const Regions walls = wallPlan(walls_, room.storey, room.ceiling - 0.1, bounds(room.room->points));
   Regions region = repair(room.room->points);
   if (!walls.empty()) region = subtract(unite(region, room.plan), walls);
   double reach = kUnderWall;
@@ -343,7 +364,7 @@ void RoomBuilder::addSlopedCeiling(const Room& room, MeshSink& sink) const {
   }
 }
 
-std::shared_ptr<const Mesh> RoomBuilder::build(std::size_t index, Vec3 centre) const {
+std::shared_ptr<const Mesh> RoomBuilder::buildFloor(std::size_t index, Vec3 centre) const {
   const Room& room = rooms_[index];
   const Storey& storey = storeys_[room.storey];
   MeshSink sink(centre);
@@ -356,12 +377,17 @@ std::shared_ptr<const Mesh> RoomBuilder::build(std::size_t index, Vec3 centre) c
     }
   }
   if (!room.doorsteps.empty()) sink.horizontal(room.doorsteps, storey.elevation, true, kRoomFloor);
-  if (ceilings_ && room.room->ceilingVisible) {
-    if (room.sloped) {
-      addSlopedCeiling(room, sink);
-    } else {
-      sink.horizontal(ceilingRegion(index), room.ceiling, false, kRoomCeiling);
-    }
+  return sink.empty() ? nullptr : sink.take();
+}
+
+std::shared_ptr<const Mesh> RoomBuilder::buildCeiling(std::size_t index, Vec3 centre) const {
+  const Room& room = rooms_[index];
+  if (!ceilings_ || !room.room->ceilingVisible) return nullptr;
+  MeshSink sink(centre);
+  if (room.sloped) {
+    addSlopedCeiling(room, sink);
+  } else {
+    sink.horizontal(ceilingRegion(index), room.ceiling, false, kRoomCeiling);
   }
   return sink.empty() ? nullptr : sink.take();
 }

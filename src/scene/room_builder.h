@@ -35,8 +35,9 @@ class RoomBuilder {
   };
   const std::vector<Room>& rooms() const { return rooms_; }
 
-  // The mesh of rooms()[index], relative to centre; null when it shows nothing.
-  std::shared_ptr<const Mesh> build(std::size_t index, Vec3 centre) const;
+  // The floor of rooms()[index] with its slab, and its ceiling, relative to centre; null where there is none.
+  std::shared_ptr<const Mesh> buildFloor(std::size_t index, Vec3 centre) const;
+  std::shared_ptr<const Mesh> buildCeiling(std::size_t index, Vec3 centre) const;
 
   // True where the point of the plan lies in a room of the storey that has something over it.
   bool isIndoors(std::size_t storey, Vec2 point) const;
@@ -46,6 +47,7 @@ class RoomBuilder {
   Regions footprint(std::size_t storey) const;
 
  private:
+  std::optional<Room> planOf(RoomId id, const std::shared_ptr<const idap::Room>& room) const;
   void layFloors();
   void layDoorsteps();
   void findCeilings();

@@ -8,8 +8,10 @@
 
 #include "light/daylight.h"
 #include "light/sun_position.h"
+#include "model/diff.h"
 #include "scene/furniture_builder.h"
 #include "scene/ground_builder.h"
+#include "scene/scene_memory.h"
 #include "scene/wall_builder.h"
 
 namespace idap {
@@ -48,39 +50,145 @@ void dropLids(const Home& home, std::vector<Storey>& storeys) {
   while (storeys.size() > 1 && !inUse(storeys.back().id)) storeys.pop_back();
 }
 
+bool sameMesh(const Mesh& a, const Mesh& b) {
+  return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs &&
+         a.triangles == b.triangles && a.slots == b.slots;
+}
+
+using MeshPtr = std::shared_ptr<const Mesh>;
+
+// A mesh that came out as it was stays the same one in memory.
+void keepEqual(MeshPtr& mesh, const MeshPtr& before) {
+  if (mesh && before && sameMesh(*mesh, *before)) mesh = before;
+}
+
+constexpr double kNear = 50;         // m that a home may move before the scene's centre follows
+constexpr double kBesideWall = 0.3;  // m from a wall's face, where it is indoors or not
+
+std::vector<Storey> storeysOf(const Home& home, bool ceilings, bool hiddenLevels) {
+  std::vector<Storey> storeys = shownStoreys(home, hiddenLevels);
+  if (!ceilings) dropLids(home, storeys);
+  return storeys;
+}
+
+std::vector<std::shared_ptr<const Furniture>> stairsOf(const Home& home, const std::vector<Storey>& storeys) {
+  std::vector<std::shared_ptr<const Furniture>> stairs;
+  for (const auto& [id, piece] : home.furniture) {
+    if (!piece->staircaseCutOut.empty() && isShownOn(home, storeys, *piece)) stairs.push_back(piece);
+  }
+  return stairs;
+}
+
+// Whether walls, rooms and openings of the home are those that the structure was made of.
+bool isOf(const Structure& structure, const Home& home, bool hiddenLevels) {
+  if (structure.hiddenLevels != hiddenLevels || structure.home.wallHeight != home.wallHeight) return false;
+  const HomeDiff changes = diff(structure.home, home);
+  if (!changes.levels.empty() || !changes.walls.empty() || !changes.rooms.empty() ||
+      !changes.openings.empty() || !changes.groups.empty())
+    return false;
+  if (changes.furniture.empty()) return true;
+  // Which storeys are shown may hang on furniture, and so may the plan's extent.
+  if (structure.walls.empty() && structure.rooms->rooms().empty()) return false;
+  const std::vector<Storey> storeys = storeysOf(home, structure.ceilings, hiddenLevels);
+  return storeys.size() == structure.storeys.size() && stairsOf(home, storeys) == structure.stairs;
+}
+
+std::shared_ptr<const Structure> buildStructure(const Home& home, bool ceilings, bool hiddenLevels,
+                                                const std::shared_ptr<const Structure>& before,
+                                                const Progress& progress) {
+  if (before && isOf(*before, home, hiddenLevels)) return before;
+  auto made = std::make_shared<Structure>();
+  Structure& s = *made;
+  s.home = home;
+  s.ceilings = ceilings;
+  s.hiddenLevels = hiddenLevels;
+  s.storeys = storeysOf(home, ceilings, hiddenLevels);
+  s.stairs = stairsOf(home, s.storeys);
+  s.walls = wallSolids(home, s.storeys);
+  s.openings = openingCuts(home, s.storeys);
+  s.extent = planBounds(home, s.walls);
+  const Vec2 middle = (s.extent.min + s.extent.max) / 2;
+  s.centre = {middle.x, middle.y, 0};
+  if (before && length(before->centre - s.centre) < kNear) s.centre = before->centre;
+  s.rooms.emplace(home, s.storeys, s.walls, s.openings, ceilings);
+  progress.check();
+
+  const WallBuilder walls(home, s.walls, s.openings);
+  const std::size_t rooms = s.rooms->rooms().size();
+  s.wallMeshes.resize(s.walls.size());
+  s.roomMeshes.resize(rooms);
+  s.ceilingMeshes.resize(rooms);
+  tbb::parallel_for(std::size_t{0}, s.walls.size() + 2 * rooms, [&](std::size_t i) {
+    if (i < s.walls.size()) {
+      s.wallMeshes[i] = walls.build(i, s.centre);
+    } else if (const std::size_t room = i - s.walls.size(); room < rooms) {
+      s.roomMeshes[room] = s.rooms->buildFloor(room, s.centre);
+    } else {
+      s.ceilingMeshes[room - rooms] = s.rooms->buildCeiling(room - rooms, s.centre);
+    }
+  });
+  if (before) {
+    std::map<WallId, MeshPtr> old;
+    for (std::size_t i = 0; i < before->walls.size(); ++i) old[before->walls[i].id] = before->wallMeshes[i];
+    for (std::size_t i = 0; i < s.walls.size(); ++i) keepEqual(s.wallMeshes[i], old[s.walls[i].id]);
+    std::map<RoomId, std::pair<MeshPtr, MeshPtr>> oldRooms;
+    for (std::size_t i = 0; i < before->roomMeshes.size(); ++i)
+      oldRooms[before->rooms->rooms()[i].id] = {before->roomMeshes[i], before->ceilingMeshes[i]};
+    for (std::size_t i = 0; i < rooms; ++i) {
+      const auto& [floor, ceiling] = oldRooms[s.rooms->rooms()[i].id];
+      keepEqual(s.roomMeshes[i], floor);
+      keepEqual(s.ceilingMeshes[i], ceiling);
+    }
+  }
+  for (std::size_t i = 0; i < s.storeys.size(); ++i) {
+    if (s.storeys[i].elevation < -kGroundBelow) s.openGround = unite(s.openGround, s.rooms->footprint(i));
+  }
+  for (const WallSolid& wall : s.walls) {
+    const Vec2 a = wall.wall->start, b = wall.wall->end;
+    if (length(b - a) < 1e-6) continue;
+    const Vec2 aside = perpendicular(normalized(b - a)) * (wall.wall->thickness / 2 + kBesideWall);
+    const Vec2 on = (a + b) / 2;
+    const bool left = s.rooms->isIndoors(wall.storey, on + aside),
+               right = s.rooms->isIndoors(wall.storey, on - aside);
+    if (left != right) s.outward[wall.id] = normalized(left ? -aside : aside);
+  }
+  return made;
+}
+
 // One build, its parts in the order in which they need each other.
 class Build {
  public:
-  Build(const Home& home, const Catalog& catalog, const BuildOptions& options, const Progress& progress)
+  Build(const Home& home, const Catalog& catalog, const BuildOptions& options, const Progress& progress,
+        SceneMemory& memory)
       : home_(home),
         options_(options),
         progress_(progress),
-        storeys_(storeysOf(home, options)),
-        walls_(wallSolids(home, storeys_)),
-        openings_(openingCuts(home, storeys_)),
-        models_(home, catalog),
-        surfaces_(home, textures_) {
+        memory_(memory),
+        models_(memory.models),
+        textures_(memory.textures),
+        surfaces_(home, memory.textures) {
+    models_.use(home, catalog);
+    memory_.pieceMeshes.nextBuild();
     built_.scene = std::make_shared<render::Scene>();
     built_.objects.emplace_back();
-    const Box2 box = planBounds(home, walls_);
-    const Vec2 middle = (box.min + box.max) / 2;
-    built_.centre = {middle.x, middle.y, 0};
-    extent_ = box;
   }
 
   BuiltScene run() {
-    progress_.report(0.02, "reading models");
+    progress_.report(0.02, "building walls and rooms");
+    std::shared_ptr<const Structure>& known = memory_.structure[options_.ceilings ? 1 : 0];
+    known = buildStructure(home_, options_.ceilings, options_.hiddenLevels.value_or(options_.ceilings), known,
+                           progress_);
+    structure_ = known;
+    built_.centre = structure_->centre;
+    progress_.report(0.3, "reading models");
     loadModels();
     addDaylight();
-    progress_.report(0.6, "building walls and rooms");
-    const RoomBuilder rooms(home_, storeys_, walls_, openings_, options_.ceilings);
-    progress_.check();
     addWalls();
-    addRooms(rooms);
-    if (options_.ground) addGround(rooms);
+    addRooms();
+    if (options_.ground) addGround();
     progress_.check();
     progress_.report(0.8, "placing furniture");
-    addPieces(rooms);
+    addPieces();
     const std::vector<std::string>& pictures = textures_.warnings();
     built_.warnings.insert(built_.warnings.end(), pictures.begin(), pictures.end());
     for (const auto& mesh : built_.scene->meshes) built_.triangles += mesh->triangles.size();
@@ -89,12 +197,7 @@ class Build {
   }
 
  private:
-  static std::vector<Storey> storeysOf(const Home& home, const BuildOptions& options) {
-    std::vector<Storey> storeys = shownStoreys(home, options.hiddenLevels.value_or(options.ceilings));
-    if (!options.ceilings) dropLids(home, storeys);
-    return storeys;
-  }
-  bool isOnShownStorey(const Piece& piece) const { return isShownOn(home_, storeys_, piece); }
+  bool isOnShownStorey(const Piece& piece) const { return isShownOn(home_, structure_->storeys, piece); }
 
   std::uint32_t addSurface(render::Surface surface) {
     built_.scene->surfaces.push_back(std::move(surface));
@@ -137,7 +240,8 @@ class Build {
       if (!entry.model) continue;
       for (const SurfaceModel::Slot& slot : entry.model->slots) wantOf(slot.material);
     }
-    for (const WallSolid& wall : walls_) want(wall.wall->left.finish), want(wall.wall->right.finish);
+    for (const WallSolid& wall : structure_->walls)
+      want(wall.wall->left.finish), want(wall.wall->right.finish);
     for (const auto& [id, room] : home_.rooms) want(room->floor), want(room->ceiling);
     want(home_.environment.ground);
     textures_.prepare(pictures);
@@ -155,7 +259,7 @@ class Build {
       }
     };
     for (const auto& [id, room] : home_.rooms) want(room->floor), want(room->ceiling);
-    for (const WallSolid& wall : walls_) {
+    for (const WallSolid& wall : structure_->walls) {
       for (const WallSide* side : {&wall.wall->left, &wall.wall->right}) {
         want(side->finish);
         if (side->baseboard) want(side->baseboard->finish);
@@ -172,13 +276,10 @@ class Build {
   }
 
   void addWalls() {
-    const WallBuilder builder(home_, walls_, openings_);
-    std::vector<std::shared_ptr<const Mesh>> meshes(walls_.size());
-    tbb::parallel_for(std::size_t{0}, walls_.size(),
-                      [&](std::size_t i) { meshes[i] = builder.build(i, built_.centre); });
-    for (std::size_t i = 0; i < walls_.size(); ++i) {
-      if (!meshes[i]) continue;
-      const Wall& wall = *walls_[i].wall;
+    const auto& walls = structure_->walls;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      if (!structure_->wallMeshes[i]) continue;
+      const Wall& wall = *walls[i].wall;
       const double l = length(wall.end - wall.start);
       const Box2 area{{0, 0}, {l, std::max(wall.heightAtStart, wall.heightAtEnd)}};
       const auto side = [&](const WallSide& s) {
@@ -188,63 +289,80 @@ class Build {
         const Finish& own = s.baseboard && !s.baseboard->finish.empty() ? s.baseboard->finish : s.finish;
         return surfaces_.surface(SurfaceMapper::paint(), own, area);
       };
-      addOwnMesh(std::move(meshes[i]),
+      if (const auto outward = structure_->outward.find(walls[i].id); outward != structure_->outward.end()) {
+        outer_[walls[i].id] = built_.outerWalls.size();
+        const Vec2 on = (wall.start + wall.end) / 2;
+        built_.outerWalls.push_back({{on.x, on.y, walls[i].floor},
+                                     outward->second,
+                                     walls[i].topAt(on),
+                                     {static_cast<std::uint32_t>(built_.scene->instances.size())}});
+      }
+      addOwnMesh(structure_->wallMeshes[i],
                  {addSurface(side(wall.left)), addSurface(side(wall.right)),
                   addSurface(surfaces_.surface(SurfaceMapper::paint(), wall.top)),
                   addSurface(board(wall.left)), addSurface(board(wall.right))},
-                 walls_[i].id);
+                 walls[i].id);
     }
   }
 
-  void addRooms(const RoomBuilder& rooms) {
-    std::vector<std::shared_ptr<const Mesh>> meshes(rooms.rooms().size());
-    tbb::parallel_for(std::size_t{0}, meshes.size(),
-                      [&](std::size_t i) { meshes[i] = rooms.build(i, built_.centre); });
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      if (!meshes[i]) continue;
-      const RoomBuilder::Room& room = rooms.rooms()[i];
+  void addRooms() {
+    for (std::size_t i = 0; i < structure_->roomMeshes.size(); ++i) {
+      const MeshPtr &floor = structure_->roomMeshes[i], &ceiling = structure_->ceilingMeshes[i];
+      if (!floor && !ceiling) continue;
+      const RoomBuilder::Room& room = structure_->rooms->rooms()[i];
       const Box2 area = bounds(room.room->points);
-      addOwnMesh(std::move(meshes[i]),
-                 {addSurface(surfaces_.surface(SurfaceMapper::flooring(), room.room->floor, area)),
-                  addSurface(surfaces_.surface(SurfaceMapper::paint(), room.room->ceiling, area)),
-                  addSurface(surfaces_.surface(SurfaceMapper::paint(), {}))},
-                 room.id);
+      const std::vector<std::uint32_t> surfaces{
+          addSurface(surfaces_.surface(SurfaceMapper::flooring(), room.room->floor, area)),
+          addSurface(surfaces_.surface(SurfaceMapper::paint(), room.room->ceiling, area)),
+          addSurface(surfaces_.surface(SurfaceMapper::paint(), {}))};
+      if (floor) addOwnMesh(floor, surfaces, room.id);
+      if (ceiling) addOwnMesh(ceiling, surfaces, room.id);
     }
   }
 
   // The land, open where rooms lie below it.
-  void addGround(const RoomBuilder& rooms) {
-    Regions open;
-    for (std::size_t s = 0; s < storeys_.size(); ++s) {
-      if (storeys_[s].elevation < -kGroundBelow) open = unite(open, rooms.footprint(s));
+  void addGround() {
+    std::optional<SceneMemory::Land>& known = memory_.land;
+    if (!known || known->structure != structure_ || known->soil != soil_.baseColor ||
+        known->horizon != horizon_ || known->soilMap != soil_.baseColorMap) {
+      SceneMemory::Land land{structure_, soil_.baseColor, horizon_, soil_.baseColorMap,
+                             buildGround(soil_, structure_->openGround, structure_->extent, -kGroundBelow,
+                                         horizon_, built_.centre)};
+      if (known) keepEqual(land.ground.mesh, known->ground.mesh);
+      known = std::move(land);
     }
-    Ground ground = buildGround(soil_, open, extent_, -kGroundBelow, horizon_, built_.centre);
-    if (!ground.mesh) return;
+    if (!known->ground.mesh) return;
     std::vector<std::uint32_t> surfaces;
-    for (render::Surface& surface : ground.surfaces) surfaces.push_back(addSurface(std::move(surface)));
-    addOwnMesh(std::move(ground.mesh), std::move(surfaces), {});
+    for (const render::Surface& surface : known->ground.surfaces) surfaces.push_back(addSurface(surface));
+    addOwnMesh(known->ground.mesh, std::move(surfaces), {});
   }
 
-  void addPieces(const RoomBuilder& rooms) {
-    FurnitureBuilder builder(home_, storeys_, models_, surfaces_, built_);
-    builder.setRooms(&rooms, &walls_);
+  void addPieces() {
+    FurnitureBuilder builder(home_, structure_->storeys, surfaces_, built_, memory_);
+    builder.setStructure(structure_);
     for (const auto& [id, piece] : home_.furniture) {
-      if (isOnShownStorey(*piece)) builder.add(id, *piece, options_.lamps);
+      if (isOnShownStorey(*piece)) builder.add(id, piece, options_.lamps);
     }
+    std::erase_if(memory_.lamps, [&](const auto& lamp) { return !home_.furniture.contains(lamp.first); });
     for (const auto& [id, opening] : home_.openings) {
       if (!isOnShownStorey(*opening)) continue;
-      if (builder.add(id, *opening)) addPortal(id, rooms);
+      const auto before = static_cast<std::uint32_t>(built_.scene->instances.size());
+      if (builder.add(id, *opening)) addPortal(id, *structure_->rooms);
+      const auto host = outer_.find(opening->wall);
+      for (auto i = before; i < built_.scene->instances.size() && host != outer_.end(); ++i)
+        built_.outerWalls[host->second].instances.push_back(i);
     }
     builder.tellProblems();
   }
 
   // A rectangle in the wall where an opening leads from indoors to outdoors.
   void addPortal(OpeningId id, const RoomBuilder& rooms) {
+    const auto& openings = structure_->openings;
     const auto cut =
-        std::find_if(openings_.begin(), openings_.end(), [&](const OpeningCut& o) { return o.id == id; });
-    if (cut == openings_.end()) return;
+        std::find_if(openings.begin(), openings.end(), [&](const OpeningCut& o) { return o.id == id; });
+    if (cut == openings.end()) return;
     const double u = (cut->box.min.x + cut->box.max.x) / 2;
-    for (const WallSolid& wall : walls_) {
+    for (const WallSolid& wall : structure_->walls) {
       if (wall.storey != cut->storey || cutsOf(wall, {*cut}).empty()) continue;
       double low = 0, high = 0;
       if (!wallSpanAt(wall, *cut, u, low, high)) continue;
@@ -271,9 +389,8 @@ class Build {
     const SunPosition sun = sunPosition(site.latitude, site.longitude, options_.time.value_or(site.time));
     DaylightConditions conditions;
     conditions.sunDirection = sunDirection(sun, site.north);
-    conditions.weather = options_.cloudiness < 0.34   ? Weather::Clear
-                         : options_.cloudiness < 0.75 ? Weather::Partly
-                                                      : Weather::Overcast;
+    const double clouds = options_.cloudiness.value_or(home_.environment.cloudiness);
+    conditions.weather = clouds < 0.34 ? Weather::Clear : clouds < 0.75 ? Weather::Partly : Weather::Overcast;
     Material soil = SurfaceMapper::paint();
     soil.color = {0.66f, 0.66f, 0.66f};
     soil.roughness = 0.95;
@@ -286,7 +403,9 @@ class Build {
     const Rgb albedo =
         soil_.baseColor * (soil_.baseColorMap ? meanReflectance(*soil_.baseColorMap) : Rgb{1, 1, 1});
     conditions.groundAlbedo = std::clamp(luminance(albedo), 0.03f, 0.6f);
-    Daylight light = daylightFor(conditions);
+    if (!memory_.daylight || memory_.daylight->conditions != conditions)
+      memory_.daylight = {conditions, daylightFor(conditions)};
+    const Daylight& light = memory_.daylight->light;
     built_.scene->sun.direction = light.sunDirection;
     built_.scene->sun.illuminance = light.sunIlluminance;
     const Rgb falling = light.skyIlluminance + light.sunIlluminance * std::max(light.sunDirection.z, 0.0f);
@@ -296,20 +415,19 @@ class Build {
     }
     for (int k = 0; k < 3; ++k)
       horizon_[k] = std::clamp(horizon_[k] / std::max(falling[k], 1e-6f), 0.0f, 0.9f);
-    built_.scene->sky = {light.width, light.height, std::move(light.skyRadiance)};
+    built_.scene->sky = {light.width, light.height, light.skyRadiance};
   }
 
   const Home& home_;
   const BuildOptions& options_;
   const Progress& progress_;
-  std::vector<Storey> storeys_;
-  std::vector<WallSolid> walls_;
-  std::vector<OpeningCut> openings_;
-  ModelCache models_;
-  TextureCache textures_;
+  SceneMemory& memory_;
+  ModelCache& models_;
+  TextureCache& textures_;
   SurfaceMapper surfaces_;
+  std::shared_ptr<const Structure> structure_;
   BuiltScene built_;
-  Box2 extent_;  // of the plan
+  std::map<WallId, std::size_t> outer_;  // into BuiltScene::outerWalls
   render::Surface soil_;
   Rgb horizon_;  // reflectance of land that looks as bright as the sky over the horizon
 };
@@ -317,8 +435,10 @@ class Build {
 }  // namespace
 
 BuiltScene buildScene(const Home& home, const Catalog& catalog, const BuildOptions& options,
-                      const Progress& progress) {
-  return Build(home, catalog, options, progress).run();
+                      const Progress& progress, SceneMemory* memory) {
+  if (memory) return Build(home, catalog, options, progress, *memory).run();
+  SceneMemory own;
+  return Build(home, catalog, options, progress, own).run();
 }
 
 }  // namespace idap

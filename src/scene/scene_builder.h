@@ -16,6 +16,8 @@
 
 namespace idap {
 
+struct SceneMemory;  // scene/scene_memory.h
+
 enum class LampPolicy {
   Auto,  // as the home says: each lamp by its own switch and dimmer
   On,    // every lamp at its dimmer, switched off ones too
@@ -30,24 +32,35 @@ struct BuildOptions {
   bool ground = true;  // the land around the house
   LampPolicy lamps = LampPolicy::Auto;
   std::optional<std::int64_t> time;  // ms since 1970 (UTC); none: the home's own
-  double cloudiness = 0;             // 0 clear .. 1 overcast
+  std::optional<double> cloudiness;  // 0 clear .. 1 overcast; none: the home's own
 };
 
 // What an object id in the film stands for; monostate: the ground.
 using ElementId = std::variant<std::monostate, WallId, RoomId, OpeningId, FurnitureId>;
 
+// An outer wall with the doors and windows in it, which hides what is behind it from an eye outdoors.
+struct OuterWall {
+  Vec3 middle;     // world, m
+  Vec2 outward;    // unit, on the plan
+  double top = 0;  // world height
+  std::vector<std::uint32_t> instances;
+};
+
 struct BuiltScene {
   std::shared_ptr<render::Scene> scene;
   Vec3 centre;
-  std::vector<ElementId> objects;     // by render::Instance::objectId; [0] is "none"
+  std::vector<ElementId> objects;  // by render::Instance::objectId; [0] is "none"
+  std::vector<OuterWall> outerWalls;
   std::vector<std::string> warnings;  // what could not be shown as the home asks, in words
   std::size_t triangles = 0;          // of the meshes, each counted once
 };
 
 // Throws Cancelled where progress asks to stop. Never throws for a home that validates: what cannot be built
 // is left out with a warning.
+// memory: of the builds before, where there will be more of them; the scene is the same with and without, but
+// for its centre, which stays where it was while the home is near it.
 BuiltScene buildScene(const Home& home, const Catalog& catalog, const BuildOptions& options = {},
-                      const Progress& progress = {});
+                      const Progress& progress = {}, SceneMemory* memory = nullptr);
 
 // aspect: width / height of the picture.
 render::Camera toRenderCamera(const Camera& camera, const BuiltScene& built, double aspect);

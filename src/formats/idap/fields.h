@@ -88,6 +88,7 @@ void listFields(A& a, Of<Environment>) {
   using T = Environment;
   a("ground", &T::ground)("skyColor", &T::skyColor)("skyTexture", &T::skyTexture);
   a("wallTransparency", &T::wallTransparency);
+  a("cloudiness", &T::cloudiness);
 }
 
 template <class A>

@@ -32,12 +32,19 @@ bool keepTrackOfMemory(void* counter, ssize_t bytes, bool) {
 }  // namespace
 
 struct CompiledScene::Accel {
-  std::atomic<std::int64_t> bytes{0};  // before the device, which counts in it to its end
-  DeviceHandle device;
+  struct Device {
+    std::atomic<std::int64_t> bytes{0};  // before the device, which counts in it to its end
+    DeviceHandle handle;
+  };
+  using MeshKey = std::pair<const Mesh*, std::vector<bool>>;
+
+  std::shared_ptr<Device> device;
   std::vector<SurfaceData> surfaces;
   std::vector<HitInstance> instances;
   std::vector<GeometryHandle> geometries;  // one an instance; null where there is nothing to hit
-  std::vector<std::unique_ptr<MeshAccel>> meshes;
+  std::vector<std::shared_ptr<MeshAccel>> meshes;
+  std::map<MeshKey, std::shared_ptr<MeshAccel>> meshByKey;
+  std::map<const Mesh*, std::uint32_t> slotCounts;  // of meshes that were checked; meshes hold them
   std::vector<std::uint32_t> meshOfInstance;
   std::vector<std::uint32_t> sphereLamps;  // Embree's sphere -> lamp
   unsigned lampGeometry = kNone;
@@ -112,14 +119,19 @@ void CompiledScene::Accel::place(std::uint32_t i, const Transformf& t) {
   rtcCommitGeometry(geometry);
 }
 
-CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
+CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, const CompiledScene* previous)
     : scene_(std::move(scene)), accel_(std::make_unique<Accel>()) {
   const auto start = std::chrono::steady_clock::now();
   Accel& a = *accel_;
   AlbedoTable::get();
-  a.device.reset(rtcNewDevice("start_threads=0,set_affinity=0"));
-  if (!a.device) throw RenderError("the ray tracing library Embree could not be started");
-  rtcSetDeviceMemoryMonitorFunction(a.device.get(), keepTrackOfMemory, &a.bytes);
+  if (previous) {
+    a.device = previous->accel_->device;
+  } else {
+    a.device = std::make_shared<Accel::Device>();
+    a.device->handle.reset(rtcNewDevice("start_threads=0,set_affinity=0"));
+    if (!a.device->handle) throw RenderError("the ray tracing library Embree could not be started");
+    rtcSetDeviceMemoryMonitorFunction(a.device->handle.get(), keepTrackOfMemory, &a.device->bytes);
+  }
 
   a.surfaces.reserve(scene_->surfaces.size());
   for (const Surface& s : scene_->surfaces) a.surfaces.push_back(compileSurface(s));
@@ -128,6 +140,13 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
   std::vector<std::uint32_t> slotCount(scene_->meshes.size(), 0);
   for (std::size_t m = 0; m < scene_->meshes.size(); ++m) {
     const Mesh& mesh = *scene_->meshes[m];
+    if (previous) {
+      const auto known = previous->accel_->slotCounts.find(&mesh);
+      if (known != previous->accel_->slotCounts.end()) {
+        slotCount[m] = a.slotCounts[&mesh] = known->second;
+        continue;
+      }
+    }
     for (const auto& t : mesh.triangles)
       for (const std::uint32_t c : t)
         if (c >= mesh.positions.size()) throw RenderError(fmt::format("mesh {}: no vertex {}", m, c));
@@ -136,8 +155,10 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
         (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size()))
       throw RenderError(fmt::format("mesh {}: slots, normals or uvs of the wrong number", m));
     slotCount[m] = mesh.slots.empty() ? 1 : *std::ranges::max_element(mesh.slots) + 1;
+    if (!mesh.empty()) a.slotCounts[&mesh] = slotCount[m];
   }
-  std::map<std::pair<std::uint32_t, std::vector<bool>>, std::uint32_t> known;
+  std::vector<MeshAccel*> unbuilt;
+  std::map<Accel::MeshKey, std::uint32_t> known;
   std::vector<bool> meshUsed(scene_->meshes.size(), false);
   for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
     const Instance& instance = scene_->instances[i];
@@ -157,9 +178,21 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
         throw RenderError(fmt::format("instance {}: no surface {}", i, instance.surfaces[s]));
       if (s < sieve.size()) sieve[s] = !a.surfaces[instance.surfaces[s]].opaqueToShadows;
     }
-    const auto [it, isNew] =
-        known.try_emplace({instance.mesh, sieve}, static_cast<std::uint32_t>(a.meshes.size()));
-    if (isNew) a.meshes.push_back(std::make_unique<MeshAccel>(mesh, sieve));
+    const Accel::MeshKey key{mesh.get(), sieve};
+    const auto [it, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(a.meshes.size()));
+    if (isNew) {
+      std::shared_ptr<MeshAccel> accel;
+      if (previous) {
+        const auto old = previous->accel_->meshByKey.find(key);
+        if (old != previous->accel_->meshByKey.end()) accel = old->second;
+      }
+      if (!accel) {
+        accel = std::make_shared<MeshAccel>(mesh, sieve);
+        unbuilt.push_back(accel.get());
+      }
+      a.meshByKey[key] = accel;
+      a.meshes.push_back(std::move(accel));
+    }
     a.meshOfInstance.push_back(it->second);
     stats_.instancedTriangles += mesh->triangles.size();
     if (!meshUsed[instance.mesh]) stats_.uniqueTriangles += mesh->triangles.size();
@@ -167,11 +200,11 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
   }
 
   const auto buildAll = [&] {
-    tbb::parallel_for(std::size_t{0}, a.meshes.size(), [&](std::size_t m) {
-      tbb::this_task_arena::isolate([&] { a.meshes[m]->build(a.device.get(), shadowFilter); });
+    tbb::parallel_for(std::size_t{0}, unbuilt.size(), [&](std::size_t m) {
+      tbb::this_task_arena::isolate([&] { unbuilt[m]->build(a.device->handle.get(), shadowFilter); });
     });
 
-    a.top.reset(rtcNewScene(a.device.get()));
+    a.top.reset(rtcNewScene(a.device->handle.get()));
     rtcSetSceneFlags(a.top.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
     Box3f world;
     for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
@@ -192,7 +225,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
         data.triangleMap[1] = accel.triangleMap(1);
         data.objectId = instance.objectId;
         data.lightGroup = instance.lightGroup;
-        geometry.reset(rtcNewGeometry(a.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        geometry.reset(rtcNewGeometry(a.device->handle.get(), RTC_GEOMETRY_TYPE_INSTANCE));
         rtcSetGeometryInstancedScene(geometry.get(), accel.scene());
         rtcSetGeometryTimeStepCount(geometry.get(), 1);
         rtcSetGeometryMask(geometry.get(), kSeenByLight | (instance.visibleToCamera ? kSeenByCamera : 0u));
@@ -211,7 +244,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
     for (std::uint32_t l = 0; l < scene_->lamps.size(); ++l)
       if (scene_->lamps[l].radius > 0) a.sphereLamps.push_back(l);
     if (!a.sphereLamps.empty()) {
-      GeometryHandle spheres(rtcNewGeometry(a.device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
+      GeometryHandle spheres(rtcNewGeometry(a.device->handle.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
       auto* buffer = static_cast<float*>(rtcSetNewGeometryBuffer(
           spheres.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, a.sphereLamps.size()));
       for (const std::uint32_t l : a.sphereLamps) {
@@ -238,7 +271,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads)
   arena.execute(buildAll);
 
   lights_ = std::make_unique<Lights>(*this);
-  stats_.embreeBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(0, a.bytes.load()));
+  stats_.embreeBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(0, a.device->bytes.load()));
   stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -259,6 +292,14 @@ void CompiledScene::setTransform(std::uint32_t instance, const Transformf& trans
   const auto& surfaces = scene_->instances[instance].surfaces;
   if (std::ranges::any_of(surfaces, [&](std::uint32_t s) { return accel_->surfaces[s].emits; }))
     accel_->lightsMoved = true;
+}
+
+void CompiledScene::setVisibleToCamera(std::uint32_t instance, bool visible) {
+  if (instance >= accel_->instances.size()) throw RenderError(fmt::format("no instance {}", instance));
+  if (!accel_->geometries[instance]) return;
+  RTCGeometry geometry = accel_->geometries[instance].get();
+  rtcSetGeometryMask(geometry, kSeenByLight | (visible ? kSeenByCamera : 0u));
+  rtcCommitGeometry(geometry);
 }
 
 void CompiledScene::commit() {

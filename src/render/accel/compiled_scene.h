@@ -27,7 +27,10 @@ struct CompileStats {
 class CompiledScene {
  public:
   // threads: how many to build with; 0: all. Throws RenderError for indices out of range.
-  explicit CompiledScene(std::shared_ptr<const Scene> scene, int threads = 0);
+  // previous: a scene that this one is an edit of; the acceleration structures of meshes that both have are
+  // shared. It may go afterwards.
+  explicit CompiledScene(std::shared_ptr<const Scene> scene, int threads = 0,
+                         const CompiledScene* previous = nullptr);
   ~CompiledScene();
   CompiledScene(const CompiledScene&) = delete;
   CompiledScene& operator=(const CompiledScene&) = delete;
@@ -46,6 +49,8 @@ class CompiledScene {
   // Moves one instance; rays see it after commit(), which rebuilds the top level only (and the light samplers
   // if the instance shines).
   void setTransform(std::uint32_t instance, const Transformf& transform);
+  // Whether primary rays see the instance; light meets it all the same.
+  void setVisibleToCamera(std::uint32_t instance, bool visible);
   void commit();
 
   // The nearest thing the mask (RayMask) lets the ray see in (tMin, tMax). coherent: neighbouring rays go the

@@ -83,9 +83,11 @@ void Denoiser::run(const Film& film, std::vector<Rgb>& color, const DenoiseSetti
     try {
       std::unique_ptr<DenoiseNetwork>& network = settings.fast ? fast_ : normal_;
       if (!network) network = std::make_unique<DenoiseNetwork>(settings.fast);
-      network->run(film, color, threads);
+      network->run(film, color, threads, settings.progress);
       keepBrightness(color, before);
       return;
+    } catch (const Cancelled&) {
+      throw;
     } catch (const Error& error) {
       if (wanted) throw RenderError(std::string("cannot denoise with the network: ") + error.what());
       spdlog::warn("the denoiser's network cannot be used, the built-in filter is: {}", error.what());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/progress.h"
 #include "render/film/film.h"
 
 namespace idap::render {
@@ -22,6 +23,7 @@ struct DenoiseSettings {
   int threads = 0;    // 0: as many as the machine has
   bool fast = false;  // the small network instead of the normal one
   DenoiseMethod method = DenoiseMethod::Best;
+  const Progress* progress = nullptr;  // asked between the network's layers whether to go on
 };
 
 // Keeps the network's weights and memory from one picture to the next. One thread at a time.
@@ -33,7 +35,8 @@ class Denoiser {
   Denoiser& operator=(Denoiser&&) noexcept;
 
   // color: in, mean radiance of every pixel, finite or not; out, the same denoised, finite and not negative.
-  // Keeps the picture's overall brightness, is deterministic, and takes pictures of any size.
+  // Keeps the picture's overall brightness, is deterministic, and takes pictures of any size. Throws
+  // Cancelled.
   void run(const Film& film, std::vector<Rgb>& color, const DenoiseSettings& settings = {});
 
  private:

@@ -84,6 +84,7 @@ struct DenoiseNetwork::Impl {
   TransferCurve curve;
   std::string implementation;
   BufferPool pool;
+  const Progress* progress = nullptr;
 };
 
 // Colour, albedo and normal make 9 channels; where they are joined again, they follow the other channels.
@@ -155,6 +156,7 @@ DenoiseNetwork::Impl::Layer DenoiseNetwork::Impl::load(const std::string& name, 
 
 // 3 x 3 with ReLU. The last one writes floats: bfloat16 would show as bands.
 Map DenoiseNetwork::Impl::convolve(const std::string& name, const Map& from, bool last) {
+  if (progress) progress->check();
   using Memory = dnnl::memory;
   Layer& layer = layers.at(name);
   const auto type = format.bf16 ? Memory::data_type::bf16 : Memory::data_type::f32;
@@ -285,7 +287,8 @@ std::vector<Span> tileSpans(int side) {
 
 }  // namespace
 
-void DenoiseNetwork::run(const Film& film, std::vector<Rgb>& color, int threads) {
+void DenoiseNetwork::run(const Film& film, std::vector<Rgb>& color, int threads, const Progress* progress) {
+  impl_->progress = progress;
   const ThreadCount threadCount(threads);
   const TransferCurve& curve = impl_->curve;
   const Format format = impl_->format;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "render/film/film.h"
 
 namespace idap::render {
@@ -20,7 +21,8 @@ class DenoiseNetwork {
   static bool available(bool fast);
 
   // color: finite and not negative; replaced. Large pictures go through in tiles. threads: at least 1.
-  void run(const Film& film, std::vector<Rgb>& color, int threads);
+  // Throws Cancelled where progress asks to stop, between two layers.
+  void run(const Film& film, std::vector<Rgb>& color, int threads, const Progress* progress = nullptr);
 
   // What oneDNN chose for the first convolution, for logs: for instance "brgconv:avx512_core_bf16_amx_bf16".
   const std::string& implementation() const;

@@ -139,7 +139,8 @@ std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings
   std::vector<Rgb> color = film.meanColors();
   if (settings.toneMap == ToneMap::Classic) return color;
   if (settings.denoise) {
-    const DenoiseSettings how{.threads = settings.threads, .fast = settings.fastDenoise};
+    const DenoiseSettings how{
+        .threads = settings.threads, .fast = settings.fastDenoise, .progress = settings.progress};
     if (denoiser) {
       denoiser->run(film, color, how);
     } else {
@@ -149,7 +150,8 @@ std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings
   const float ev = (settings.ev ? *settings.ev : autoExposure(film, color)) - settings.compensation;
   const float multiplier = exposureMultiplier(ev);
   const float share = std::clamp(settings.whiteBalance, 0.0f, 1.0f);
-  const WhiteBalance balance(share > 0 ? estimateIlluminant(film) : Rgb{1, 1, 1}, share);
+  const WhiteBalance balance(
+      share > 0 ? settings.illuminant.value_or(estimateIlluminant(film)) : Rgb{1, 1, 1}, share);
   for (Rgb& c : color) c = (share > 0 ? balance(c) : c) * multiplier;
   return color;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image8.h"
+#include "base/progress.h"
 #include "render/film/film.h"
 #include "render/film/tone_map.h"
 
@@ -18,8 +19,10 @@ struct DevelopSettings {
   ToneMap toneMap = ToneMap::PbrNeutral;
   float whiteBalance = 0.75f;  // how far the eye adapts to the light's colour: 0 not at all, 1 wholly
   bool denoise = true;
-  bool fastDenoise = false;  // the smaller network: about twice as fast, for previews
-  int threads = 0;           // 0: as many as the machine has
+  bool fastDenoise = false;            // the smaller network: about twice as fast, for previews
+  int threads = 0;                     // 0: as many as the machine has
+  std::optional<Rgb> illuminant{};     // the light's colour, luminance 1; none: from the picture
+  const Progress* progress = nullptr;  // whether to go on denoising; then Cancelled is thrown
 };
 
 // The picture, ready for a screen: sRGB, dithered so that smooth walls show no bands. The same film and

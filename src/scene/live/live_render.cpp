@@ -1,0 +1,293 @@
+#include "scene/live/live_render.h"
+
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "base/platform.h"
+#include "model/diff.h"
+#include "render/denoise/denoise.h"
+#include "render/film/develop.h"
+#include "render/film/enlarge.h"
+#include "render/film/exposure.h"
+#include "render/session/pilot.h"
+#include "render/session/render_job.h"
+#include "scene/scene_memory.h"
+
+namespace idap {
+
+namespace {
+
+constexpr double kCoarsePixels = 3600;    // traced for the first frame
+constexpr double kSketchPixels = 50'000;  // that it is enlarged to
+constexpr double kCalm = 0.35;            // how far the exposure of coarse frames follows each new one
+constexpr float kJump = 1.5f;             // stops from where it does so at once
+
+// Tracing threads give way to the window's.
+class LowPriority : public tbb::task_scheduler_observer {
+ public:
+  LowPriority() { observe(true); }
+  ~LowPriority() override { observe(false); }
+  void on_scheduler_entry(bool worker) override {
+    if (worker) lowerThreadPriority();
+  }
+};
+
+std::pair<int, int> sized(const LiveRequest& r, double pixels) {
+  const double scale = std::min(1.0, std::sqrt(pixels / (double(r.width) * r.height)));
+  return {std::max(8, static_cast<int>(std::lround(r.width * scale))),
+          std::max(8, static_cast<int>(std::lround(r.height * scale)))};
+}
+
+// The state of the home as the tracer has it, kept in step request by request.
+class Stage {
+ public:
+  explicit Stage(int threads) : threads_(threads) {}
+
+  // Follows the request; what did not change stays as it is.
+  void follow(const LiveRequest& r, const Progress& progress) {
+    const bool outside = r.cut == CutAway::ByView && isOutside(r.home, r.camera.eye);
+    BuildOptions options;
+    options.ceilings = !outside;
+    options.lamps = r.lamps;
+    options.time = r.camera.time;
+    if (!scene_ || catalog_ != r.catalog || outside != outside_ || options.lamps != lamps_ ||
+        options.time != time_ || showsOther(home_, r.home)) {
+      if (catalog_ != r.catalog) memory_ = {};
+      BuiltScene built = buildScene(r.home, *r.catalog, options, progress, &memory_);
+      auto scene = std::make_unique<render::CompiledScene>(built.scene, threads_, scene_.get());
+      scene_ = std::move(scene);
+      built_ = std::move(built);
+      hidden_.clear();
+      catalog_ = r.catalog;
+      lamps_ = options.lamps;
+      time_ = options.time;
+    }
+    home_ = r.home;
+    outside_ = outside;
+    std::vector<std::uint32_t> hidden;
+    if (outside) hidden = hiddenFrom(built_, r.camera.eye, r.cut);
+    if (hidden != hidden_) {
+      for (const std::uint32_t i : hidden_) scene_->setVisibleToCamera(i, true);
+      for (const std::uint32_t i : hidden) scene_->setVisibleToCamera(i, false);
+      scene_->commit();
+      hidden_ = std::move(hidden);
+    }
+  }
+
+  const render::CompiledScene& scene() const { return *scene_; }
+  const BuiltScene& built() const { return built_; }
+  bool outside() const { return outside_; }
+
+ private:
+  // Whether a picture could tell the homes apart.
+  static bool showsOther(const Home& before, const Home& after) {
+    const HomeDiff d = diff(before, after);
+    return !(d.levels.empty() && d.walls.empty() && d.rooms.empty() && d.openings.empty() &&
+             d.furniture.empty() && d.groups.empty()) ||
+           d.site || d.environment || d.assets || before.wallHeight != after.wallHeight;
+  }
+
+  int threads_;
+  SceneMemory memory_;
+  Home home_;
+  std::shared_ptr<const Catalog> catalog_;
+  bool outside_ = false;
+  LampPolicy lamps_ = LampPolicy::Auto;
+  std::optional<std::int64_t> time_;
+  BuiltScene built_;
+  std::unique_ptr<render::CompiledScene> scene_;
+  std::vector<std::uint32_t> hidden_;
+};
+
+}  // namespace
+
+struct LiveRender::Impl {
+  Sink sink;
+  int threads;
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::optional<LiveRequest> waiting, last;                           // under mutex
+  std::uint64_t generation = 0;                                       // under mutex: of the newest request
+  bool paused = false, closing = false;                               // under mutex
+  std::shared_ptr<Progress> refining;                                 // under mutex: to be broken off
+  std::shared_ptr<Progress> building = std::make_shared<Progress>();  // broken off only at the end
+  std::thread thread;
+
+  // The render thread's own.
+  Stage stage;
+  render::Denoiser denoiser;
+  LiveRequest request;
+  std::uint64_t answering = 0;
+  std::shared_ptr<LiveView> view;
+  std::optional<float> ev;
+  Rgb illuminant{1, 1, 1};
+
+  Impl(Sink s, int n) : sink(std::move(s)), threads(n), stage(n) {}
+
+  void loop() {
+    lowerThreadPriority();
+    const LowPriority workers;
+    for (;;) {
+      std::shared_ptr<Progress> progress;
+      {
+        std::unique_lock lock(mutex);
+        wake.wait(lock, [&] { return closing || (waiting && !paused); });
+        if (closing) return;
+        request = *std::exchange(waiting, std::nullopt);
+        last = request;
+        answering = generation;
+        progress = refining = std::make_shared<Progress>();
+      }
+      try {
+        stage.follow(request, *building);
+        coarse();
+        refine(*progress);
+      } catch (const Cancelled&) {
+      } catch (const std::exception& error) {
+        if (sink.failed) sink.failed(error.what());
+      }
+    }
+  }
+
+  render::Camera camera() const {
+    return toRenderCamera(request.camera, stage.built(), double(request.width) / request.height);
+  }
+
+  void lookThrough(int width, int height) {
+    auto next = std::make_shared<LiveView>();
+    next->camera = request.camera;
+    next->outside = stage.outside();
+    next->features = render::features(stage.scene(), camera(), width, height, threads);
+    next->objects = stage.built().objects;
+    view = std::move(next);
+  }
+
+  void emitFrame(Image8 image, int samples, bool finished) {
+    sink.frame({answering, std::move(image), samples, finished, *ev - request.compensation, view});
+  }
+
+  // A frame at once: little light, much sharpness. Never broken off, so that something shows while changes
+  // come in faster than frames.
+  void coarse() {
+    const auto [w, h] = sized(request, kCoarsePixels);
+    render::RenderSettings settings;
+    settings.width = w;
+    settings.height = h;
+    settings.spp = 1;
+    settings.threads = threads;
+    if (ev) settings.clampIndirect = render::clampFor(*ev);
+    render::Film film(w, h);
+    render::render(stage.scene(), camera(), settings, film);
+    const auto [sw, sh] = sized(request, kSketchPixels);
+    lookThrough(sw, sh);
+    std::vector<Rgb> color = film.meanColors();
+    denoiser.run(film, color, {.threads = threads, .fast = true});
+    const float measured = render::autoExposure(film, color);
+    const Rgb light = render::estimateIlluminant(film);
+    if (!ev || std::fabs(measured - *ev) > kJump) {
+      ev = measured;
+      illuminant = light;
+    } else {
+      *ev += float(kCalm) * (measured - *ev);
+      illuminant += (light - illuminant) * float(kCalm);
+    }
+    std::vector<Rgb> large = render::enlarged(film, color, view->features, threads);
+    const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
+    const float gain = render::exposureMultiplier(*ev - request.compensation);
+    for (Rgb& c : large) c = balance(c) * gain;
+    emitFrame(render::toImage(large, sw, sh, request.toneMap), 0, false);
+  }
+
+  // Half the size first, then the whole in waves of doubling length.
+  void refine(const Progress& progress) {
+    render::RenderSettings settings;
+    settings.threads = threads;
+    settings.clampIndirect = render::clampFor(*ev);
+    settings.width = std::max(8, request.width / 2);
+    settings.height = std::max(8, request.height / 2);
+    settings.spp = 1;
+    {
+      render::Film half(settings.width, settings.height);
+      render::render(stage.scene(), camera(), settings, half, progress);
+      progress.check();
+      lookThrough(request.width, request.height);
+      show(half, 0, false, progress);
+    }
+    settings.width = request.width;
+    settings.height = request.height;
+    render::Film film(request.width, request.height);
+    for (int samples = 1; samples <= request.samples; samples *= 2) {
+      settings.spp = samples;
+      render::render(stage.scene(), camera(), settings, film, progress);
+      progress.check();
+      show(film, samples, samples * 2 > request.samples, progress);
+    }
+  }
+
+  void show(const render::Film& film, int samples, bool finished, const Progress& progress) {
+    const bool enlarge = film.width < request.width;
+    std::vector<Rgb> color = film.meanColors();
+    denoiser.run(film, color, {.threads = threads, .fast = !finished, .progress = &progress});
+    progress.check();
+    ev = render::autoExposure(film, color);
+    illuminant = render::estimateIlluminant(film);
+    if (enlarge) color = render::enlarged(film, color, view->features, threads);
+    const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
+    const float gain = render::exposureMultiplier(*ev - request.compensation);
+    for (Rgb& c : color) c = balance(c) * gain;
+    emitFrame(render::toImage(color, request.width, request.height, request.toneMap), samples, finished);
+  }
+};
+
+LiveRender::LiveRender(Sink sink, int threads)
+    : impl_(std::make_unique<Impl>(
+          std::move(sink),
+          threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())))) {
+  impl_->thread = std::thread([this] { impl_->loop(); });
+}
+
+LiveRender::~LiveRender() {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->closing = true;
+    impl_->building->cancel();
+    if (impl_->refining) impl_->refining->cancel();
+  }
+  impl_->wake.notify_all();
+  impl_->thread.join();
+}
+
+std::uint64_t LiveRender::submit(LiveRequest request) {
+  request.width = std::clamp(request.width, 16, 8192);
+  request.height = std::clamp(request.height, 16, 8192);
+  std::uint64_t generation = 0;
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->waiting = std::move(request);
+    generation = ++impl_->generation;
+    if (impl_->refining) impl_->refining->cancel();
+  }
+  impl_->wake.notify_all();
+  return generation;
+}
+
+void LiveRender::pause(bool paused) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    if (impl_->paused == paused) return;
+    impl_->paused = paused;
+    if (paused && impl_->refining) impl_->refining->cancel();
+    if (!paused && !impl_->waiting && impl_->generation > 0) impl_->waiting = impl_->last;
+  }
+  impl_->wake.notify_all();
+}
+
+}  // namespace idap
