@@ -4576,6 +4576,54 @@
         <source>Point</source>
         <translation>ชี้</translation>
     </message>
+    <message>
+        <source>Change the date</source>
+        <translation>เปลี่ยนวันที่</translation>
+    </message>
+    <message>
+        <source>Change the weather</source>
+        <translation>เปลี่ยนสภาพอากาศ</translation>
+    </message>
+    <message>
+        <source>Switch a lamp</source>
+        <translation>เปิดปิดโคมไฟ</translation>
+    </message>
+    <message>
+        <source>Dim a lamp</source>
+        <translation>หรี่โคมไฟ</translation>
+    </message>
+    <message>
+        <source>Switch all lamps on</source>
+        <translation>เปิดโคมไฟทั้งหมด</translation>
+    </message>
+    <message>
+        <source>Switch all lamps off</source>
+        <translation>ปิดโคมไฟทั้งหมด</translation>
+    </message>
+    <message>
+        <source>The live view could not be made: %1</source>
+        <translation>สร้างมุมมองสดไม่ได้: %1</translation>
+    </message>
+    <message>
+        <source>Change the time</source>
+        <translation>เปลี่ยนเวลา</translation>
+    </message>
+    <message>
+        <source>Keep the point of view</source>
+        <translation>เก็บมุมมอง</translation>
+    </message>
+    <message>
+        <source>The point of view is kept as %1</source>
+        <translation>เก็บมุมมองไว้เป็น %1</translation>
+    </message>
+    <message>
+        <source>Moves what is held</source>
+        <translation>ย้ายสิ่งที่จับอยู่</translation>
+    </message>
+    <message>
+        <source>Let it go where it shall be; Escape takes it back</source>
+        <translation>ปล่อยตรงที่ต้องการ กด Escape เพื่อย้อนกลับ</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -5316,6 +5364,136 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     </message>
 </context>
 <context>
+    <name>idap::LightPopup</name>
+    <message>
+        <source>Date</source>
+        <translation>วันที่</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>แจ่มใส</translation>
+    </message>
+    <message>
+        <source>Partly cloudy</source>
+        <translation>มีเมฆบางส่วน</translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation>เมฆเต็มท้องฟ้า</translation>
+    </message>
+    <message>
+        <source>Weather</source>
+        <translation>สภาพอากาศ</translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation>EV</translation>
+    </message>
+    <message>
+        <source>Brighter or darker than the automatic exposure, in stops</source>
+        <translation>สว่างหรือมืดกว่าค่าแสงอัตโนมัติ เป็นสต็อป</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>ค่าแสง</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>โคมไฟ</translation>
+    </message>
+    <message>
+        <source>Brightness of %1</source>
+        <translation>ความสว่างของ %1</translation>
+    </message>
+    <message>
+        <source>This home has no lamps yet.</source>
+        <translation>บ้านนี้ยังไม่มีโคมไฟ</translation>
+    </message>
+    <message>
+        <source>All lamps on</source>
+        <translation>เปิดไฟทั้งหมด</translation>
+    </message>
+    <message>
+        <source>All lamps off</source>
+        <translation>ปิดไฟทั้งหมด</translation>
+    </message>
+</context>
+<context>
+    <name>idap::LivePanel</name>
+    <message>
+        <source>From above</source>
+        <translation>จากด้านบน</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>กล้อง %1</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>ที่นี่</translation>
+    </message>
+    <message>
+        <source>Coarse</source>
+        <translation>หยาบ</translation>
+    </message>
+    <message>
+        <source>Clean</source>
+        <translation>คมชัด</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 ตัวอย่าง</translation>
+    </message>
+    <message>
+        <source>Where the view is seen from</source>
+        <translation>มองจากจุดใด</translation>
+    </message>
+    <message>
+        <source>Circle: drag turns the home, the wheel comes nearer, the middle button shifts</source>
+        <translation>วนรอบ: ลากเพื่อหมุนบ้าน ล้อเมาส์เพื่อเข้าใกล้ ปุ่มกลางเพื่อเลื่อน</translation>
+    </message>
+    <message>
+        <source>Walk: drag looks around; W A S D walk, Q and E lower and raise the eye, Shift hurries</source>
+        <translation>เดิน: ลากเพื่อมองรอบ W A S D เพื่อเดิน Q และ E ลดและยกระดับสายตา Shift เพื่อเร่ง</translation>
+    </message>
+    <message>
+        <source>Cut away the walls and ceilings that are in the way of an eye outside</source>
+        <translation>ตัดผนังและฝ้าที่บังสายตาจากภายนอกออก</translation>
+    </message>
+    <message>
+        <source>Walls stop the walker; doors let them through</source>
+        <translation>ผนังกั้นผู้เดิน ประตูให้ผ่านได้</translation>
+    </message>
+    <message>
+        <source>Keep this point of view in the home</source>
+        <translation>เก็บมุมมองนี้ไว้ในบ้าน</translation>
+    </message>
+    <message>
+        <source>Date, weather, lamps and exposure</source>
+        <translation>วันที่ สภาพอากาศ โคมไฟ และค่าแสง</translation>
+    </message>
+    <message>
+        <source>Ray Trace: make a finished picture</source>
+        <translation>ติดตามรังสี: สร้างภาพสำเร็จ</translation>
+    </message>
+    <message>
+        <source>Give this view the whole window, and back</source>
+        <translation>ขยายมุมมองนี้เต็มหน้าต่าง และกลับ</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>เวลาของวัน</translation>
+    </message>
+    <message>
+        <source>How fine the view is; it becomes clean while nothing changes</source>
+        <translation>ความละเอียดของมุมมอง ภาพจะคมชัดขึ้นเมื่อไม่มีการเปลี่ยนแปลง</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>มุมมอง %1</translation>
+    </message>
+</context>
+<context>
     <name>idap::MainWindow</name>
     <message>
         <source>Wall</source>
@@ -5805,6 +5983,10 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <source>The time of the picture&apos;s daylight: %1, %2</source>
         <translation>เวลาของแสงธรรมชาติในภาพ: %1 %2</translation>
     </message>
+    <message>
+        <source>Back to the live view</source>
+        <translation>กลับไปมุมมองสด</translation>
+    </message>
 </context>
 <context>
     <name>idap::PlanCaption</name>
@@ -6238,6 +6420,13 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>This must be at most %1.</source>
         <translation>ต้องไม่เกิน %1</translation>
+    </message>
+</context>
+<context>
+    <name>idap::View3d</name>
+    <message>
+        <source>Preparing the view…</source>
+        <translation>กำลังเตรียมมุมมอง…</translation>
     </message>
 </context>
 <context>

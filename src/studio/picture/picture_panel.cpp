@@ -50,7 +50,7 @@ struct PicturePanel::Impl {
 
   QComboBox* camera = nullptr;
   QLabel* time = nullptr;
-  QToolButton *trace = nullptr, *stop = nullptr, *save = nullptr, *maximise = nullptr;
+  QToolButton *trace = nullptr, *stop = nullptr, *save = nullptr, *maximise = nullptr, *close = nullptr;
   PictureCanvas* canvas = nullptr;
   QWidget* empty = nullptr;  // what the canvas shows before the first picture
   QLabel *emptyDrawing = nullptr, *emptyTitle = nullptr, *emptyText = nullptr;
@@ -97,6 +97,7 @@ void PicturePanel::Impl::build() {
   stop = toolButton("stop", "stop", &panel);
   save = toolButton("save", "savePicture", &panel);
   maximise = toolButton("maximise", "maximise", &panel);
+  close = toolButton("close", "backToLive", &panel);
 
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(kGap, kGap / 2, kGap / 2, kGap / 2);
@@ -104,7 +105,7 @@ void PicturePanel::Impl::build() {
   bar->addWidget(camera, 1);
   bar->addWidget(time);
   bar->addStretch();
-  for (QToolButton* button : {trace, stop, save, maximise}) bar->addWidget(button);
+  for (QToolButton* button : {trace, stop, save, maximise, close}) bar->addWidget(button);
 
   canvas = new PictureCanvas(&panel);
   canvas->setObjectName(QStringLiteral("canvas"));
@@ -178,6 +179,7 @@ void PicturePanel::Impl::retranslate() {
   stop->setToolTip(tr("Stop tracing and keep the picture as it is"));
   save->setToolTip(tr("Save the picture as a PNG or JPEG file"));
   maximise->setToolTip(tr("Give this view the whole window, and back (double click)"));
+  close->setToolTip(tr("Back to the live view"));
   emptyTitle->setText(tr("No picture yet"));
   emptyText->setText(tr("Ray Trace shows your home in its real light, from above or from a camera."));
   begin->setText(tr("Ray Trace"));
@@ -281,6 +283,7 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
   connect(d.stop, &QToolButton::clicked, this, &PicturePanel::stop);
   connect(d.save, &QToolButton::clicked, this, &PicturePanel::askWhereToSave);
   connect(d.maximise, &QToolButton::clicked, this, &PicturePanel::maximiseRequested);
+  connect(d.close, &QToolButton::clicked, this, &PicturePanel::closed);
   connect(d.canvas, &PictureCanvas::resized, this, [&d] { d.fitEmpty(); });
   connect(d.canvas, &PictureCanvas::doubleClicked, this, &PicturePanel::maximiseRequested);
   connect(d.camera, &QComboBox::currentIndexChanged, this, [&d] {

@@ -33,6 +33,7 @@ class PicturePanel : public QWidget {
   void started();
   void finished();
   void maximiseRequested();
+  void closed();  // back to the live view
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -252,8 +252,11 @@ void MainWindow::Impl::connectParts() {
   QObject::connect(views, &ViewArea::maximisedChanged, w, [this] { refresh(); });
 
   QObject::connect(catalog, &CatalogPanel::importRequested, w, [this] { importFurniture(); });
-  QObject::connect(cameras, &CameraList::currentChanged, w,
-                   [this] { views->picture().setCamera(cameras->current()); });
+  QObject::connect(cameras, &CameraList::currentChanged, w, [this] {
+    views->picture().setCamera(cameras->current());
+    if (cameras->current()) views->live().setCamera(cameras->current());
+  });
+  QObject::connect(&views->live(), &LivePanel::rayTraceRequested, w, [this] { rayTrace(); });
   QObject::connect(cameras, &CameraList::pictureRequested, w, [this] {
     views->picture().setCamera(cameras->current());
     rayTrace();

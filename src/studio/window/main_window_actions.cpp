@@ -491,6 +491,7 @@ void MainWindow::Impl::erase() {
 
 void MainWindow::Impl::rayTrace() {
   if (views->maximised() != ViewArea::kAll && views->maximised() != 3) views->maximise(ViewArea::kAll);
+  views->showPicture(true);
   views->picture().rayTrace();
 }
 

@@ -18,6 +18,7 @@
 #include "studio/picture/picture_panel.h"
 #include "studio/plan/plan_view.h"
 #include "studio/properties/property_panel.h"
+#include "studio/view3d/live_panel.h"
 #include "studio/window/file_flow.h"
 #include "studio/window/hint_line.h"
 #include "studio/window/job_indicator.h"

@@ -5,9 +5,12 @@
 #include <QDataStream>
 #include <QEvent>
 #include <QSplitter>
+#include <QStackedWidget>
 
 #include "studio/picture/picture_panel.h"
 #include "studio/plan/plan_view.h"
+#include "studio/view3d/live_panel.h"
+#include "studio/view3d/view3d.h"
 
 namespace idap {
 
@@ -15,7 +18,9 @@ ViewArea::ViewArea(Editor& editor, QWidget* parent)
     : QWidget(parent),
       across_(new QSplitter(Qt::Horizontal, this)),
       column_(new QSplitter(Qt::Vertical)),
-      picture_(nullptr) {
+      seen_(new QStackedWidget),
+      live_(new LivePanel(editor)),
+      picture_(new PicturePanel(editor)) {
   setObjectName(QStringLiteral("viewArea"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -27,14 +32,16 @@ ViewArea::ViewArea(Editor& editor, QWidget* parent)
     plans_[i]->setObjectName(QLatin1String(names[i]));
     plans_[i]->setMinimumSize(80, 60);
   }
-  picture_ = new PicturePanel(editor, nullptr);
+  live_->setObjectName(QStringLiteral("livePanel"));
   picture_->setObjectName(QStringLiteral("picturePanel"));
-  picture_->setMinimumSize(80, 60);
+  seen_->addWidget(live_);
+  seen_->addWidget(picture_);
+  seen_->setMinimumSize(80, 60);
   across_->addWidget(plans_[0]);
   across_->addWidget(column_);
   column_->addWidget(plans_[1]);
   column_->addWidget(plans_[2]);
-  column_->addWidget(picture_);
+  column_->addWidget(seen_);
   across_->setStretchFactor(0, 3);
   across_->setStretchFactor(1, 2);
   across_->setSizes({600, 330});
@@ -53,17 +60,20 @@ ViewArea::ViewArea(Editor& editor, QWidget* parent)
     connect(view, &PlanView::maximiseRequested, this, [this, plane] { toggle(int(plane)); });
   }
   connect(picture_, &PicturePanel::maximiseRequested, this, [this] { toggle(3); });
+  connect(picture_, &PicturePanel::closed, this, [this] { showPicture(false); });
+  connect(live_, &LivePanel::maximiseRequested, this, [this] { toggle(3); });
+  connect(live_, &LivePanel::contextMenuRequested, this, &ViewArea::contextMenuRequested);
 }
 
 QWidget* ViewArea::view(int index) const {
-  if (index == 3) return picture_;
+  if (index == 3) return seen_;
   return plans_[std::size_t(index)];
 }
 
 int ViewArea::currentView() const {
   if (maximised_ != kAll) return maximised_;
   const QWidget* focus = QApplication::focusWidget();
-  return focus && (focus == picture_ || picture_->isAncestorOf(focus)) ? 3 : int(current_);
+  return focus && (focus == seen_ || seen_->isAncestorOf(focus)) ? 3 : int(current_);
 }
 
 void ViewArea::maximise(int index) {
@@ -73,6 +83,13 @@ void ViewArea::maximise(int index) {
   column_->setVisible(index != 0);
   if (index != kAll) view(index)->setFocus(Qt::OtherFocusReason);
   emit maximisedChanged(index);
+}
+
+void ViewArea::showPicture(bool picture) {
+  if (picture)
+    seen_->setCurrentWidget(picture_);
+  else
+    seen_->setCurrentWidget(live_);
 }
 
 void ViewArea::toggle(int index) { maximise(maximised_ == kAll ? index : kAll); }

@@ -1,5 +1,5 @@
-// The middle of the window: the plan X-Y, the elevations X-Z and Y-Z and the picture, beside each other or
-// one of them alone.
+// The middle of the window: the plan X-Y, the elevations X-Z and Y-Z and the live view, beside each other or
+// one of them alone. A traced picture takes the live view's place until one goes back.
 #pragma once
 
 #include <QWidget>
@@ -8,9 +8,11 @@
 #include "editor/editor.h"
 
 class QSplitter;
+class QStackedWidget;
 
 namespace idap {
 
+class LivePanel;
 class PicturePanel;
 class PlanView;
 
@@ -19,10 +21,12 @@ class ViewArea : public QWidget {
  public:
   explicit ViewArea(Editor& editor, QWidget* parent = nullptr);
 
-  static constexpr int kViews = 4;  // the planes in the order of kPlanes, then the picture
+  static constexpr int kViews = 4;  // the planes in the order of kPlanes, then the live view
 
   PlanView& plan(Plane plane) const { return *plans_[std::size_t(plane)]; }
+  LivePanel& live() const { return *live_; }
   PicturePanel& picture() const { return *picture_; }
+  void showPicture(bool picture);  // in the live view's place, or the live view again
   QWidget* view(int index) const;
 
   // The plane that the keyboard or the pointer was in last: zoom commands are meant for it.
@@ -51,6 +55,8 @@ class ViewArea : public QWidget {
  private:
   QSplitter *across_, *column_;
   std::array<PlanView*, 3> plans_{};
+  QStackedWidget* seen_;
+  LivePanel* live_;
   PicturePanel* picture_;
   std::size_t current_ = 0;
   int maximised_ = kAll;
