@@ -5473,14 +5473,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>วันที่ สภาพอากาศ โคมไฟ และค่าแสง</translation>
     </message>
     <message>
-        <source>Ray Trace: make a finished picture</source>
-        <translation>ติดตามรังสี: สร้างภาพสำเร็จ</translation>
-    </message>
-    <message>
-        <source>Give this view the whole window, and back</source>
-        <translation>ขยายมุมมองนี้เต็มหน้าต่าง และกลับ</translation>
-    </message>
-    <message>
         <source>Time of day</source>
         <translation>เวลาของวัน</translation>
     </message>

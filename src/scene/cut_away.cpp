@@ -40,10 +40,6 @@ bool isOutside(const Home& home, Vec3 eye) {
   return eye.z > top || !box.overlaps({{eye.x, eye.y}, {eye.x, eye.y}});
 }
 
-bool ceilingsFor(const Home& home, const Camera& camera, CutAway cut) {
-  return cut == CutAway::Never || !isOutside(home, camera.eye);
-}
-
 std::vector<std::uint32_t> hiddenFrom(const BuiltScene& built, Vec3 eye, CutAway cut) {
   std::vector<std::uint32_t> hidden;
   if (cut == CutAway::Never) return hidden;
@@ -54,10 +50,6 @@ std::vector<std::uint32_t> hiddenFrom(const BuiltScene& built, Vec3 eye, CutAway
   }
   std::ranges::sort(hidden);
   return hidden;
-}
-
-void cutAway(BuiltScene& built, Vec3 eye, CutAway cut) {
-  for (const std::uint32_t i : hiddenFrom(built, eye, cut)) built.scene->instances[i].visibleToCamera = false;
 }
 
 }  // namespace idap

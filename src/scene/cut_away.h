@@ -11,12 +11,6 @@ enum class CutAway { ByView, Never };
 // The eye is above the ceilings, or beside the walls: nothing inside could be seen.
 bool isOutside(const Home& home, Vec3 eye);
 
-// How to build the scene for this eye: without ceilings where they are cut away.
-bool ceilingsFor(const Home& home, const Camera& camera, CutAway cut);
-
 // The instances that primary rays must pass; light meets them all the same. Empty for an eye that is inside.
 std::vector<std::uint32_t> hiddenFrom(const BuiltScene& built, Vec3 eye, CutAway cut);
-// Marks them in the scene (render::Instance::visibleToCamera).
-void cutAway(BuiltScene& built, Vec3 eye, CutAway cut);
-
 }  // namespace idap

@@ -294,7 +294,6 @@ class Build {
         const Vec2 on = (wall.start + wall.end) / 2;
         built_.outerWalls.push_back({{on.x, on.y, walls[i].floor},
                                      outward->second,
-                                     walls[i].topAt(on),
                                      {static_cast<std::uint32_t>(built_.scene->instances.size())}});
       }
       addOwnMesh(structure_->wallMeshes[i],

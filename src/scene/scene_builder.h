@@ -40,9 +40,8 @@ using ElementId = std::variant<std::monostate, WallId, RoomId, OpeningId, Furnit
 
 // An outer wall with the doors and windows in it, which hides what is behind it from an eye outdoors.
 struct OuterWall {
-  Vec3 middle;     // world, m
-  Vec2 outward;    // unit, on the plan
-  double top = 0;  // world height
+  Vec3 middle;   // world, m
+  Vec2 outward;  // unit, on the plan
   std::vector<std::uint32_t> instances;
 };
 

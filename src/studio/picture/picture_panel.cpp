@@ -17,6 +17,7 @@
 #include "studio/picture/picture_worker.h"
 #include "studio/widgets/background_job.h"
 #include "studio/widgets/icons.h"
+#include "studio/widgets/images.h"
 #include "studio/widgets/texts.h"
 
 namespace idap {
@@ -24,22 +25,6 @@ namespace idap {
 namespace {
 
 constexpr int kGap = 6;
-
-QToolButton* toolButton(const char* iconName, const char* objectName, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(QLatin1String(objectName));
-  button->setIcon(icon(iconName));
-  button->setAutoRaise(true);
-  return button;
-}
-
-Image8 toImage8(const QImage& picture) {
-  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
-  Image8 image(rgb.width(), rgb.height());
-  for (int y = 0; y < rgb.height(); ++y)
-    std::copy_n(rgb.constScanLine(y), std::size_t(rgb.width()) * 3, image.pixel(0, y));
-  return image;
-}
 
 }  // namespace
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <cstring>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -18,6 +17,7 @@
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
 #include "scene/scene_builder.h"
+#include "studio/widgets/images.h"
 #include "studio/widgets/texts.h"
 
 namespace idap {
@@ -37,13 +37,6 @@ double secondsSince(Clock::time_point begin) {
 
 // A core is left to the window.
 int threadsToUse() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
-
-QImage toQImage(const Image8& image) {
-  QImage out(image.width, image.height, QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(image.width) * 3;
-  for (int y = 0; y < image.height; ++y) std::memcpy(out.scanLine(y), image.pixel(0, y), row);
-  return out;
-}
 
 // What is asked for, and how the asker reaches it while it is made.
 struct Job {

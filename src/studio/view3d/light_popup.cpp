@@ -9,8 +9,9 @@
 #include <QScrollArea>
 #include <QSlider>
 #include <cmath>
+#include <utility>
 
-#include "light/civil_time.h"
+#include "studio/view3d/home_clock.h"
 #include "studio/view3d/view3d.h"
 #include "studio/widgets/slider_field.h"
 #include "studio/widgets/texts.h"
@@ -20,8 +21,6 @@ namespace idap {
 namespace {
 
 constexpr double kWeather[] = {0, 0.5, 1};  // Environment::cloudiness of clear, partly cloudy, overcast
-
-std::string zoneOf(const Home& home) { return isTimeZone(home.site.timeZone) ? home.site.timeZone : "UTC"; }
 
 }  // namespace
 
@@ -84,7 +83,7 @@ LightPopup::LightPopup(Editor& editor, View3d& view, QWidget* parent)
 }
 
 LightPopup::~LightPopup() {
-  if (editor_.document().inTransaction() && editor_.selecting()) editor_.document().commit();
+  if (dimming_) editor_.document().commit();  // closed while a dimmer was held
   editor_.unsubscribe(subscription_);
 }
 
@@ -115,7 +114,7 @@ void LightPopup::addLamps(QVBoxLayout* all) {
           kDim, id, [percent](Lamp& lamp) { lamp.dimmer = percent / 100.0; }, dimmer->isSliderDown());
     });
     connect(dimmer, &QSlider::sliderReleased, this, [this] {
-      if (editor_.document().inTransaction()) editor_.document().commit();
+      if (std::exchange(dimming_, false)) editor_.document().commit();
     });
     refreshers_.push_back([this, id, on, dimmer] {
       const Furniture* lamp = editor_.home().furniture.find(id);
@@ -169,11 +168,12 @@ void LightPopup::changeLamp(const char* name, FurnitureId id, const std::functio
     next.furniture.set(id, std::move(changed));
     return next;
   };
-  if (!goesOn && !editor_.document().inTransaction()) {
+  if (!goesOn) {
     editor_.apply(name, edit);
     return;
   }
-  if (!editor_.document().inTransaction()) editor_.document().begin(name);
+  if (!dimming_) editor_.document().begin(name);
+  dimming_ = true;
   editor_.preview(edit);
 }
 

@@ -29,6 +29,7 @@ class LightPopup : public QFrame {
   Editor& editor_;
   View3d& view_;
   int subscription_ = 0;
+  bool dimming_ = false;  // a dimmer is held: one undo step
   std::vector<std::function<void()>> refreshers_;
 };
 

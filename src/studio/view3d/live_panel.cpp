@@ -6,7 +6,7 @@
 #include <QTime>
 #include <QToolButton>
 
-#include "light/civil_time.h"
+#include "studio/view3d/home_clock.h"
 #include "studio/view3d/light_popup.h"
 #include "studio/view3d/view3d.h"
 #include "studio/widgets/icons.h"
@@ -20,17 +20,6 @@ constexpr int kGap = 6;
 constexpr int kMinutes = 24 * 60, kMinuteStep = 5;
 constexpr qulonglong kHere = ~0ull;  // of the list: where the user has gone
 
-QToolButton* toolButton(const char* iconName, const char* objectName, bool checkable, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(QLatin1String(objectName));
-  button->setIcon(icon(iconName));
-  button->setAutoRaise(true);
-  button->setCheckable(checkable);
-  return button;
-}
-
-std::string zoneOf(const Home& home) { return isTimeZone(home.site.timeZone) ? home.site.timeZone : "UTC"; }
-
 }  // namespace
 
 struct LivePanel::Impl {
@@ -40,7 +29,7 @@ struct LivePanel::Impl {
   View3d* view = nullptr;
   QComboBox* camera = nullptr;
   QToolButton *orbit = nullptr, *walk = nullptr, *cut = nullptr, *collide = nullptr, *store = nullptr;
-  QToolButton *light = nullptr, *trace = nullptr, *maximise = nullptr;
+  QToolButton* light = nullptr;
   QSlider* hour = nullptr;
   QLabel *sun = nullptr, *time = nullptr, *state = nullptr;
   bool dragging = false;  // the hour; one undo step
@@ -69,14 +58,13 @@ void LivePanel::Impl::build() {
   camera->setMinimumContentsLength(8);
   camera->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   camera->setMaximumWidth(panel.fontMetrics().averageCharWidth() * 36);
-  orbit = toolButton("orbit", "orbit", true, &panel);
-  walk = toolButton("walk", "walk", true, &panel);
-  cut = toolButton("cut-away", "cutAway", true, &panel);
-  collide = toolButton("collide", "collide", true, &panel);
-  store = toolButton("camera", "storeView", false, &panel);
-  light = toolButton("lamp", "light", false, &panel);
-  trace = toolButton("ray-trace", "traceView", false, &panel);
-  maximise = toolButton("maximise", "maximiseLive", false, &panel);
+  orbit = toolButton("orbit", "orbit", &panel);
+  walk = toolButton("walk", "walk", &panel);
+  cut = toolButton("cut-away", "cutAway", &panel);
+  collide = toolButton("collide", "collide", &panel);
+  store = toolButton("camera", "storeView", &panel);
+  light = toolButton("lamp", "light", &panel);
+  for (QToolButton* button : {orbit, walk, cut, collide}) button->setCheckable(true);
   orbit->setAutoExclusive(true);
   walk->setAutoExclusive(true);
   cut->setChecked(true);
@@ -85,8 +73,7 @@ void LivePanel::Impl::build() {
   bar->setSpacing(kGap / 3);
   bar->addWidget(camera, 1);
   bar->addSpacing(kGap);
-  for (QToolButton* button : {orbit, walk, cut, collide, store, light, trace, maximise})
-    bar->addWidget(button);
+  for (QToolButton* button : {orbit, walk, cut, collide, store, light}) bar->addWidget(button);
 
   hour = new QSlider(Qt::Horizontal, &panel);
   hour->setObjectName(QStringLiteral("hour"));
@@ -147,8 +134,6 @@ void LivePanel::Impl::connectParts() {
     auto* popup = new LightPopup(editor, *view, &panel);
     popup->showBelow(light);
   });
-  connect(trace, &QToolButton::clicked, &panel, [this] { emit panel.rayTraceRequested(); });
-  connect(maximise, &QToolButton::clicked, &panel, &LivePanel::maximiseRequested);
   connect(view, &View3d::maximiseRequested, &panel, &LivePanel::maximiseRequested);
   connect(view, &View3d::contextMenuRequested, &panel, &LivePanel::contextMenuRequested);
   connect(view, &View3d::failed, &panel, [this](const QString& why) {
@@ -252,8 +237,6 @@ void LivePanel::Impl::retranslate() {
   collide->setToolTip(tr("Walls stop the walker; doors let them through"));
   store->setToolTip(tr("Keep this point of view in the home"));
   light->setToolTip(tr("Date, weather, lamps and exposure"));
-  trace->setToolTip(tr("Ray Trace: make a finished picture"));
-  maximise->setToolTip(tr("Give this view the whole window, and back"));
   hour->setToolTip(tr("Time of day"));
   hour->setAccessibleName(tr("Time of day"));
   sun->setPixmap(icon("sun").pixmap(QSize(1, 1) * panel.fontMetrics().height(), panel.devicePixelRatioF()));

@@ -23,7 +23,6 @@ class LivePanel : public QWidget {
 
  signals:
   void maximiseRequested();
-  void rayTraceRequested();
   void contextMenuRequested(QPoint global);
 
  protected:

@@ -1,22 +1,15 @@
 #include "studio/view3d/view3d.h"
 
 #include <cmath>
-#include <cstring>
 
 #include "studio/view3d/view3d_impl.h"
+#include "studio/widgets/images.h"
 
 namespace idap {
 
 namespace {
 
 constexpr double kMostPixels = 640.0 * 480;  // a live frame is traced with; larger windows are enlarged
-
-QImage toQImage(const Image8& image) {
-  QImage out(image.width, image.height, QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(image.width) * 3;
-  for (int y = 0; y < image.height; ++y) std::memcpy(out.scanLine(y), image.pixel(0, y), row);
-  return out;
-}
 
 // The element that a traced object stands for, with its group in its stead.
 std::optional<AnyId> elementOf(const Home& home, const ElementId& object) {

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPalette>
 #include <QSvgRenderer>
+#include <QToolButton>
 
 #include "base/data_path.h"
 
@@ -44,6 +45,14 @@ QIcon icon(const char* name) {
   QFile file(QString::fromStdString((dataFolder() / "icons" / (std::string(name) + ".svg")).string()));
   if (!file.open(QIODevice::ReadOnly)) return {};
   return QIcon(new LineArtEngine(file.readAll()));
+}
+
+QToolButton* toolButton(const char* iconName, const char* objectName, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(QLatin1String(objectName));
+  button->setIcon(icon(iconName));
+  button->setAutoRaise(true);
+  return button;
 }
 
 }  // namespace idap

@@ -256,7 +256,6 @@ void MainWindow::Impl::connectParts() {
     views->picture().setCamera(cameras->current());
     if (cameras->current()) views->live().setCamera(cameras->current());
   });
-  QObject::connect(&views->live(), &LivePanel::rayTraceRequested, w, [this] { rayTrace(); });
   QObject::connect(cameras, &CameraList::pictureRequested, w, [this] {
     views->picture().setCamera(cameras->current());
     rayTrace();

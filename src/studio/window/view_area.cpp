@@ -85,12 +85,7 @@ void ViewArea::maximise(int index) {
   emit maximisedChanged(index);
 }
 
-void ViewArea::showPicture(bool picture) {
-  if (picture)
-    seen_->setCurrentWidget(picture_);
-  else
-    seen_->setCurrentWidget(live_);
-}
+void ViewArea::showPicture(bool picture) { seen_->setCurrentIndex(picture ? 1 : 0); }
 
 void ViewArea::toggle(int index) { maximise(maximised_ == kAll ? index : kAll); }
 
