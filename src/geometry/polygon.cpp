@@ -268,6 +268,13 @@ Box2 bounds(const Polygon& polygon) {
   return box;
 }
 
+Box2 bounds(const Regions& regions) {
+  Box2 box;
+  for (const Region& r : regions)
+    for (const Vec2& p : r.outer) box.add(p);
+  return box;
+}
+
 double perimeter(const Polygon& polygon) {
   double sum = 0;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {

@@ -23,6 +23,7 @@ double signedArea(const Polygon& polygon);  // m2, positive counter-clockwise
 double area(const Regions& regions);
 bool contains(const Polygon& polygon, Vec2 point);  // even-odd; points on the border may go either way
 Box2 bounds(const Polygon& polygon);
+Box2 bounds(const Regions& regions);
 double perimeter(const Polygon& polygon);
 
 // Set operations. Inputs may be self-intersecting or in any orientation: they are repaired first. Results

@@ -1,5 +1,7 @@
 #include "scene/opening_cut.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -132,6 +134,14 @@ std::vector<WallCut> cutsOf(const WallSolid& wall, const std::vector<OpeningCut>
     result.push_back(wallCut);
   }
   return result;
+}
+
+std::vector<std::vector<WallCut>> cutsOf(const std::vector<WallSolid>& walls,
+                                         const std::vector<OpeningCut>& openings) {
+  std::vector<std::vector<WallCut>> cuts(walls.size());
+  tbb::parallel_for(std::size_t{0}, walls.size(),
+                    [&](std::size_t i) { cuts[i] = cutsOf(walls[i], openings); });
+  return cuts;
 }
 
 }  // namespace idap

@@ -40,5 +40,8 @@ std::vector<OpeningCut> openingCuts(const Home& home, const std::vector<Storey>&
 
 // The openings that cut this wall.
 std::vector<WallCut> cutsOf(const WallSolid& wall, const std::vector<OpeningCut>& openings);
+// Of each wall.
+std::vector<std::vector<WallCut>> cutsOf(const std::vector<WallSolid>& walls,
+                                         const std::vector<OpeningCut>& openings);
 
 }  // namespace idap

@@ -35,6 +35,8 @@ bool inside(const Regions& regions, Vec2 p) {
   return false;
 }
 
+void append(Regions& all, const Regions& more) { all.insert(all.end(), more.begin(), more.end()); }
+
 constexpr double kFar = 8 * kGap;  // m from a room: walls further away change nothing of it
 
 bool isNear(const WallSolid& wall, const Box2& around) {
@@ -103,14 +105,9 @@ std::vector<StairHole> stairHoles(const Home& home, const std::vector<Storey>& s
 }
 
 RoomBuilder::RoomBuilder(const Home& home, const std::vector<Storey>& storeys,
-                         const std::vector<WallSolid>& walls, const std::vector<OpeningCut>& openings,
+                         const std::vector<WallSolid>& walls, const std::vector<std::vector<WallCut>>& cuts,
                          bool ceilings)
-    : storeys_(storeys),
-      walls_(walls),
-      openings_(openings),
-      holes_(stairHoles(home, storeys)),
-      ceilings_(ceilings) {
-  for (std::size_t i = 0; i < storeys_.size(); ++i) wallPlans_.push_back(wallPlan(walls_, i, -1e300));
+    : storeys_(storeys), walls_(walls), cuts_(cuts), holes_(stairHoles(home, storeys)), ceilings_(ceilings) {
   std::vector<std::pair<RoomId, std::shared_ptr<const idap::Room>>> drawn(home.rooms.begin(),
                                                                           home.rooms.end());
   std::vector<std::optional<Room>> plans(drawn.size());
@@ -142,41 +139,75 @@ std::optional<RoomBuilder::Room> RoomBuilder::planOf(RoomId id,
   }
   r.plan = withoutSlivers(std::move(plan));
   if (r.plan.empty()) return std::nullopt;
+  r.box = bounds(r.plan);
   return r;
 }
 
-void RoomBuilder::layFloors() {
-  for (std::size_t s = 0; s < storeys_.size(); ++s) {
-    double reach = kUnderWall;
-    for (const WallSolid& wall : walls_) {
-      if (wall.storey == s) reach = std::min(reach, 0.4 * wall.wall->thickness);
-    }
-    Regions holes;
-    for (const StairHole& hole : holes_) {
-      const double z = storeys_[s].elevation;
-      if (hole.bottom < z - 0.05 && hole.top >= z - 0.05) holes = unite(holes, hole.region);
-    }
-    // Of rooms that overlap the later one shows.
-    Regions taken = holes;
-    for (auto room = rooms_.rbegin(); room != rooms_.rend(); ++room) {
-      if (room->storey != s || !room->room->floorVisible) continue;
-      room->floor = withoutSlivers(subtract(room->plan, taken));
-      taken = unite(taken, room->floor);
-    }
-    if (wallPlans_[s].empty()) continue;
-    for (auto room = rooms_.rbegin(); room != rooms_.rend(); ++room) {
-      if (room->storey != s || room->floor.empty()) continue;
-      const Regions more = withoutSlivers(subtract(margin(room->floor, wallPlans_[s], reach), taken));
-      room->floor = unite(room->floor, more);
-      taken = unite(taken, more);
-    }
+// Floors and ceilings reach into the walls of a storey, but never through the thinnest.
+double RoomBuilder::reachUnderWalls(std::size_t storey) const {
+  double reach = kUnderWall;
+  for (const WallSolid& wall : walls_) {
+    if (wall.storey == storey) reach = std::min(reach, 0.4 * wall.wall->thickness);
   }
+  return reach;
+}
+
+void RoomBuilder::layFloors() {
+  std::vector<Regions> holes(storeys_.size());
+  std::vector<double> reach(storeys_.size());
+  for (std::size_t s = 0; s < storeys_.size(); ++s) {
+    const double z = storeys_[s].elevation;
+    for (const StairHole& hole : holes_) {
+      if (hole.bottom < z - 0.05 && hole.top >= z - 0.05) append(holes[s], hole.region);
+    }
+    reach[s] = reachUnderWalls(s);
+  }
+  const auto laid = [&](std::size_t i) { return rooms_[i].room->floorVisible; };
+  const auto beside = [&](const Room& a, const Room& b) {
+    Box2 near = a.box;
+    near.min = near.min - Vec2{kFar, kFar}, near.max = near.max + Vec2{kFar, kFar};
+    return a.storey == b.storey && near.overlaps(b.box);
+  };
+  // Of rooms that overlap the later one shows.
+  tbb::parallel_for(std::size_t{0}, rooms_.size(), [&](std::size_t i) {
+    Room& room = rooms_[i];
+    if (!laid(i)) return;
+    Regions taken = holes[room.storey];
+    for (std::size_t j = i + 1; j < rooms_.size(); ++j) {
+      if (laid(j) && beside(room, rooms_[j])) append(taken, rooms_[j].plan);
+    }
+    room.floor = taken.empty() ? room.plan : withoutSlivers(subtract(room.plan, taken));
+  });
+  // What each would cover under the walls; where two would, the later one does.
+  std::vector<Regions> under(rooms_.size());
+  tbb::parallel_for(std::size_t{0}, rooms_.size(), [&](std::size_t i) {
+    const Room& room = rooms_[i];
+    if (room.floor.empty()) return;
+    const Regions walls = wallPlan(walls_, room.storey, -1e300, room.box);
+    if (walls.empty()) return;
+    Regions taken = holes[room.storey];
+    for (std::size_t j = 0; j < rooms_.size(); ++j) {
+      if (laid(j) && beside(room, rooms_[j])) append(taken, rooms_[j].floor);
+    }
+    under[i] = withoutSlivers(subtract(margin(room.floor, walls, reach[room.storey]), taken));
+  });
+  const std::vector<Regions> wanted = under;
+  tbb::parallel_for(std::size_t{0}, rooms_.size(), [&](std::size_t i) {
+    if (under[i].empty()) return;
+    Regions taken;
+    for (std::size_t j = i + 1; j < rooms_.size(); ++j) {
+      if (beside(rooms_[i], rooms_[j])) append(taken, wanted[j]);
+    }
+    if (!taken.empty()) under[i] = withoutSlivers(subtract(under[i], taken));
+    rooms_[i].floor = unite(rooms_[i].floor, under[i]);
+  });
 }
 
 // The floor goes on through doors: to the middle of the wall from either side.
 void RoomBuilder::layDoorsteps() {
-  for (const WallSolid& wall : walls_) {
-    for (const WallCut& cut : cutsOf(wall, openings_)) {
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const WallSolid& wall = walls_[w];
+    for (const WallCut& cut : cuts_[w]) {
       const OpeningCut& o = *cut.opening;
       if (!o.atFloor || o.storey != wall.storey) continue;
       const double u0 = o.box.min.x - 0.003, u1 = o.box.max.x + 0.003, middle = (u0 + u1) / 2;
@@ -200,9 +231,12 @@ void RoomBuilder::layDoorsteps() {
       const auto lay = [&](Room& room, double v0, double v1) {
         Regions step = intersect({{wall.polygon, {}}},
                                  {{{o.plan(u0, v0), o.plan(u1, v0), o.plan(u1, v1), o.plan(u0, v1)}, {}}});
+        const Box2 box = bounds(step);
+        Regions taken;
         for (const Room& other : rooms_) {
-          if (other.storey == wall.storey && !other.floor.empty()) step = subtract(step, other.floor);
+          if (other.storey == wall.storey && bounds(other.floor).overlaps(box)) append(taken, other.floor);
         }
+        if (!taken.empty()) step = subtract(step, taken);
         step = withoutSlivers(std::move(step));
         room.doorsteps.insert(room.doorsteps.end(), step.begin(), step.end());
       };
@@ -277,10 +311,10 @@ double RoomBuilder::flatCeiling(const Room& room) const {
 }
 
 void RoomBuilder::findCeilings() {
-  for (Room& room : rooms_) {
-    room.sloped = !room.room->ceilingFlat && touchesSlope(room);
-    room.ceiling = flatCeiling(room);
-  }
+  tbb::parallel_for(std::size_t{0}, rooms_.size(), [&](std::size_t i) {
+    rooms_[i].sloped = !rooms_[i].room->ceilingFlat && touchesSlope(rooms_[i]);
+    rooms_[i].ceiling = flatCeiling(rooms_[i]);
+  });
 }
 
 // Does the staircase lead through the ceiling at that height to a storey above?
@@ -293,21 +327,19 @@ Regions RoomBuilder::ceilingRegion(std::size_t index) const {
   const Regions walls = wallPlan(walls_, room.storey, room.ceiling - 0.1, bounds(room.room->points));
   Regions region = repair(room.room->points);
   if (!walls.empty()) region = subtract(unite(region, room.plan), walls);
-  double reach = kUnderWall;
-  for (const WallSolid& wall : walls_) {
-    if (wall.storey == room.storey) reach = std::min(reach, 0.4 * wall.wall->thickness);
-  }
-  if (!walls.empty()) region = unite(region, margin(region, walls, reach));
+  if (!walls.empty()) region = unite(region, margin(region, walls, reachUnderWalls(room.storey)));
+  Regions away;
   for (const StairHole& hole : holes_) {
-    if (goesOn(hole, room.storey, room.ceiling)) region = subtract(region, hole.region);
+    if (goesOn(hole, room.storey, room.ceiling)) append(away, hole.region);
   }
   for (std::size_t j = index + 1; j < rooms_.size(); ++j) {
     const Room& other = rooms_[j];
     if (other.storey == room.storey && other.room->ceilingVisible && !other.sloped &&
-        std::abs(other.ceiling - room.ceiling) < 1e-3) {
-      region = subtract(region, other.plan);
+        std::abs(other.ceiling - room.ceiling) < 1e-3 && other.box.overlaps(bounds(region))) {
+      append(away, other.plan);
     }
   }
+  if (!away.empty()) region = subtract(region, away);
   return withoutSlivers(std::move(region));
 }
 
@@ -413,7 +445,7 @@ std::optional<double> RoomBuilder::ceilingOver(std::size_t storey, Vec2 point) c
 }
 
 Regions RoomBuilder::footprint(std::size_t storey) const {
-  Regions result = wallPlans_[storey];
+  Regions result = wallPlan(walls_, storey, -1e300);
   for (const Room& room : rooms_) {
     if (room.storey == storey && !room.floor.empty()) result = unite(result, room.floor);
   }

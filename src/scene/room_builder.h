@@ -20,14 +20,16 @@ std::vector<StairHole> stairHoles(const Home& home, const std::vector<Storey>& s
 
 class RoomBuilder {
  public:
+  // cuts: of each wall.
   RoomBuilder(const Home& home, const std::vector<Storey>& storeys, const std::vector<WallSolid>& walls,
-              const std::vector<OpeningCut>& openings, bool ceilings);
+              const std::vector<std::vector<WallCut>>& cuts, bool ceilings);
 
   struct Room {
     RoomId id;
     std::shared_ptr<const idap::Room> room;
     std::size_t storey = 0;
     Regions plan;        // as drawn, repaired, without the walls
+    Box2 box;            // of the plan
     Regions floor;       // what its floor covers: also a little under the walls; empty: no floor
     Regions doorsteps;   // floor in the openings beside it
     double ceiling = 0;  // world height of a flat ceiling
@@ -49,6 +51,7 @@ class RoomBuilder {
  private:
   std::optional<Room> planOf(RoomId id, const std::shared_ptr<const idap::Room>& room) const;
   void layFloors();
+  double reachUnderWalls(std::size_t storey) const;
   void layDoorsteps();
   void findCeilings();
   double flatCeiling(const Room& room) const;
@@ -59,10 +62,9 @@ class RoomBuilder {
 
   const std::vector<Storey>& storeys_;
   const std::vector<WallSolid>& walls_;
-  const std::vector<OpeningCut>& openings_;
+  const std::vector<std::vector<WallCut>>& cuts_;
   std::vector<StairHole> holes_;
   std::vector<Room> rooms_;
-  std::vector<Regions> wallPlans_;  // by storey
   bool ceilings_;
 };
 

@@ -9,6 +9,7 @@
 #include "light/daylight.h"
 #include "light/sun_position.h"
 #include "model/diff.h"
+#include "model/edits/finish_edits.h"
 #include "scene/furniture_builder.h"
 #include "scene/ground_builder.h"
 #include "scene/scene_memory.h"
@@ -110,10 +111,11 @@ std::shared_ptr<const Structure> buildStructure(const Home& home, bool ceilings,
   const Vec2 middle = (s.extent.min + s.extent.max) / 2;
   s.centre = {middle.x, middle.y, 0};
   if (before && length(before->centre - s.centre) < kNear) s.centre = before->centre;
-  s.rooms.emplace(home, s.storeys, s.walls, s.openings, ceilings);
+  s.cuts = cutsOf(s.walls, s.openings);
+  s.rooms.emplace(home, s.storeys, s.walls, s.cuts, ceilings);
   progress.check();
 
-  const WallBuilder walls(home, s.walls, s.openings);
+  const WallBuilder walls(home, s.walls, s.cuts);
   const std::size_t rooms = s.rooms->rooms().size();
   s.wallMeshes.resize(s.walls.size());
   s.roomMeshes.resize(rooms);
@@ -202,6 +204,10 @@ class Build {
   std::uint32_t addSurface(render::Surface surface) {
     built_.scene->surfaces.push_back(std::move(surface));
     return static_cast<std::uint32_t>(built_.scene->surfaces.size() - 1);
+  }
+  std::uint32_t addSurface(render::Surface surface, const char* part) {
+    surface.name = part;
+    return addSurface(std::move(surface));
   }
   void addOwnMesh(std::shared_ptr<const Mesh> mesh, std::vector<std::uint32_t> surfaces, ElementId id) {
     render::Instance instance;
@@ -297,9 +303,10 @@ class Build {
                                      {static_cast<std::uint32_t>(built_.scene->instances.size())}});
       }
       addOwnMesh(structure_->wallMeshes[i],
-                 {addSurface(side(wall.left)), addSurface(side(wall.right)),
-                  addSurface(surfaces_.surface(SurfaceMapper::paint(), wall.top)),
-                  addSurface(board(wall.left)), addSurface(board(wall.right))},
+                 {addSurface(side(wall.left), kPartLeft), addSurface(side(wall.right), kPartRight),
+                  addSurface(surfaces_.surface(SurfaceMapper::paint(), wall.top), kPartTop),
+                  addSurface(board(wall.left), kPartBaseboardLeft),
+                  addSurface(board(wall.right), kPartBaseboardRight)},
                  walls[i].id);
     }
   }
@@ -311,8 +318,8 @@ class Build {
       const RoomBuilder::Room& room = structure_->rooms->rooms()[i];
       const Box2 area = bounds(room.room->points);
       const std::vector<std::uint32_t> surfaces{
-          addSurface(surfaces_.surface(SurfaceMapper::flooring(), room.room->floor, area)),
-          addSurface(surfaces_.surface(SurfaceMapper::paint(), room.room->ceiling, area)),
+          addSurface(surfaces_.surface(SurfaceMapper::flooring(), room.room->floor, area), kPartFloor),
+          addSurface(surfaces_.surface(SurfaceMapper::paint(), room.room->ceiling, area), kPartCeiling),
           addSurface(surfaces_.surface(SurfaceMapper::paint(), {}))};
       if (floor) addOwnMesh(floor, surfaces, room.id);
       if (ceiling) addOwnMesh(ceiling, surfaces, room.id);
@@ -361,8 +368,10 @@ class Build {
         std::find_if(openings.begin(), openings.end(), [&](const OpeningCut& o) { return o.id == id; });
     if (cut == openings.end()) return;
     const double u = (cut->box.min.x + cut->box.max.x) / 2;
-    for (const WallSolid& wall : structure_->walls) {
-      if (wall.storey != cut->storey || cutsOf(wall, {*cut}).empty()) continue;
+    for (std::size_t w = 0; w < structure_->walls.size(); ++w) {
+      const WallSolid& wall = structure_->walls[w];
+      const auto isCut = [&](const WallCut& c) { return c.opening == &*cut; };
+      if (wall.storey != cut->storey || std::ranges::none_of(structure_->cuts[w], isCut)) continue;
       double low = 0, high = 0;
       if (!wallSpanAt(wall, *cut, u, low, high)) continue;
       const bool before = rooms.isIndoors(cut->storey, cut->plan(u, low - 0.3));

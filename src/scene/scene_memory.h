@@ -28,6 +28,7 @@ struct Structure {
   std::vector<Storey> storeys;
   std::vector<WallSolid> walls;
   std::vector<OpeningCut> openings;
+  std::vector<std::vector<WallCut>> cuts;  // of each wall
   std::optional<RoomBuilder> rooms;
   std::vector<std::shared_ptr<const Mesh>> wallMeshes, roomMeshes, ceilingMeshes;  // null: nothing to see
   Regions openGround;  // where rooms lie below the land

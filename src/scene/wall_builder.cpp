@@ -44,12 +44,9 @@ bool inside(const Regions& shape, Vec2 p) {
 }  // namespace
 
 WallBuilder::WallBuilder(const Home& home, const std::vector<WallSolid>& walls,
-                         const std::vector<OpeningCut>& openings)
-    : home_(home), walls_(walls) {
-  for (const WallSolid& wall : walls_) {
-    cuts_.push_back(cutsOf(wall, openings));
-    faces_.push_back(facesOf(wall));
-  }
+                         const std::vector<std::vector<WallCut>>& cuts)
+    : home_(home), walls_(walls), cuts_(cuts) {
+  for (const WallSolid& wall : walls_) faces_.push_back(facesOf(wall));
 }
 
 std::shared_ptr<const Mesh> WallBuilder::build(std::size_t index, Vec3 centre) const {

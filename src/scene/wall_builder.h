@@ -19,12 +19,12 @@ enum WallSlot : std::uint32_t {
 
 class WallBuilder {
  public:
-  WallBuilder(const Home& home, const std::vector<WallSolid>& walls, const std::vector<OpeningCut>& openings);
+  // cuts: of each wall.
+  WallBuilder(const Home& home, const std::vector<WallSolid>& walls,
+              const std::vector<std::vector<WallCut>>& cuts);
 
   // The mesh of walls[index], relative to centre; null when nothing of it is left.
   std::shared_ptr<const Mesh> build(std::size_t index, Vec3 centre) const;
-
-  const std::vector<WallCut>& cuts(std::size_t index) const { return cuts_[index]; }
 
  private:
   // One upright face: from p0 to p1 with the outside on the right hand.
@@ -47,7 +47,7 @@ class WallBuilder {
 
   const Home& home_;
   const std::vector<WallSolid>& walls_;
-  std::vector<std::vector<WallCut>> cuts_;
+  const std::vector<std::vector<WallCut>>& cuts_;
   std::vector<std::vector<Face>> faces_;
 };
 

@@ -15,12 +15,14 @@ struct Walls {
       : storeys(shownStoreys(home, true)),
         solids(wallSolids(home, storeys)),
         openings(openingCuts(home, storeys)),
-        builder(home, solids, openings) {}
+        cuts(cutsOf(solids, openings)),
+        builder(home, solids, cuts) {}
   std::shared_ptr<const Mesh> mesh(std::size_t i) const { return builder.build(i, {}); }
 
   std::vector<Storey> storeys;
   std::vector<WallSolid> solids;
   std::vector<OpeningCut> openings;
+  std::vector<std::vector<WallCut>> cuts;
   WallBuilder builder;
 };
 

@@ -46,6 +46,17 @@ std::pair<int, int> sized(const LiveRequest& r, double pixels) {
           std::max(8, static_cast<int>(std::lround(r.height * scale)))};
 }
 
+using PartNames = std::vector<std::vector<std::string>>;
+
+std::shared_ptr<const PartNames> partNames(const BuiltScene& built) {
+  auto names = std::make_shared<PartNames>(built.objects.size());
+  for (const render::Instance& instance : built.scene->instances) {
+    std::vector<std::string>& of = (*names)[instance.objectId];
+    for (const std::uint32_t surface : instance.surfaces) of.push_back(built.scene->surfaces[surface].name);
+  }
+  return names;
+}
+
 // The state of the home as the tracer has it, kept in step request by request.
 class Stage {
  public:
@@ -65,6 +76,7 @@ class Stage {
       auto scene = std::make_unique<render::CompiledScene>(built.scene, threads_, scene_.get());
       scene_ = std::move(scene);
       built_ = std::move(built);
+      parts_ = partNames(built_);
       hidden_.clear();
       catalog_ = r.catalog;
       lamps_ = options.lamps;
@@ -85,6 +97,7 @@ class Stage {
   const render::CompiledScene& scene() const { return *scene_; }
   const BuiltScene& built() const { return built_; }
   bool outside() const { return outside_; }
+  std::shared_ptr<const PartNames> parts() const { return parts_; }
 
  private:
   // Whether a picture could tell the homes apart.
@@ -103,6 +116,7 @@ class Stage {
   LampPolicy lamps_ = LampPolicy::Auto;
   std::optional<std::int64_t> time_;
   BuiltScene built_;
+  std::shared_ptr<const PartNames> parts_;
   std::unique_ptr<render::CompiledScene> scene_;
   std::vector<std::uint32_t> hidden_;
 };
@@ -167,6 +181,7 @@ struct LiveRender::Impl {
     next->outside = stage.outside();
     next->features = render::features(stage.scene(), camera(), width, height, threads);
     next->objects = stage.built().objects;
+    next->parts = stage.parts();
     view = std::move(next);
   }
 

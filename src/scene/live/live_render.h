@@ -35,6 +35,8 @@ struct LiveView {
   bool outside = false;  // seen from outside, with what is in the way cut away
   render::Features features;
   std::vector<ElementId> objects;  // by Features::objectId
+  // The names of its parts, by Features::slot: see model/edits/finish_edits.h.
+  std::shared_ptr<const std::vector<std::vector<std::string>>> parts;  // by Features::objectId
 };
 
 struct LiveFrame {

@@ -17,7 +17,6 @@ namespace idap {
 
 namespace {
 
-constexpr double kNear = 5;   // pixels: what the pointer is taken to be on
 constexpr double kFrame = 8;  // ms of a frame that painting anew may take
 constexpr int kRest = 80;     // ms after the last turn of the wheel
 constexpr int kFollow = 30;   // ms between two steps of a view that follows the pointer

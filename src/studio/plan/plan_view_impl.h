@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "editor/finish_drag.h"
 #include "studio/plan/plan_caption.h"
 #include "studio/plan/plan_layer.h"
 #include "studio/plan/plan_scene.h"
@@ -15,6 +16,8 @@
 #include "studio/plan/rulers.h"
 
 namespace idap {
+
+inline constexpr double kNear = 5;  // pixels: what the pointer is taken to be on
 
 struct PlanView::Impl {
   PlanView& self;
@@ -29,6 +32,7 @@ struct PlanView::Impl {
   std::optional<AnyId> hovered;
   std::optional<QPointF> pointer;
   bool panning = false, spaceHeld = false, menuPressed = false, dragging = false;
+  std::optional<FinishDrag> finish;  // dragged over the view
   QPointF panFrom, panOrigin;
   int usedKey = 0;       // was taken as a shortcut's override already
   QElapsedTimer zoomed;  // since the wheel turned; invalid when what it left is painted
@@ -72,6 +76,7 @@ struct PlanView::Impl {
              Qt::KeyboardModifiers modifiers);
   std::vector<AnyId> hits(QPointF at) const;
   void hover(QPointF at);
+  void paintAt(QPointF at);
   void paint(QPainter& p, const QRect& area);
 };
 

@@ -11,16 +11,21 @@ namespace {
 
 constexpr double kMostPixels = 640.0 * 480;  // a live frame is traced with; larger windows are enlarged
 
-// The element that a traced object stands for, with its group in its stead.
-std::optional<AnyId> elementOf(const Home& home, const ElementId& object) {
+// The element that a traced object stands for; none for the land and the sky.
+std::optional<AnyId> memberOf(const ElementId& object) {
   return std::visit(
-      [&](const auto& id) -> std::optional<AnyId> {
+      [](const auto& id) -> std::optional<AnyId> {
         if constexpr (std::is_same_v<std::decay_t<decltype(id)>, std::monostate>)
           return std::nullopt;
         else
-          return byGroup(home, AnyId(id));
+          return AnyId(id);
       },
       object);
+}
+// With its group in its stead.
+std::optional<AnyId> elementOf(const Home& home, const ElementId& object) {
+  const std::optional<AnyId> member = memberOf(object);
+  return member ? std::optional(byGroup(home, *member)) : std::nullopt;
 }
 
 // Inside, at eye height, where the home says that somebody stands; or none.
@@ -188,6 +193,19 @@ std::optional<AnyId> View3d::at(QPoint pixel) const {
   const render::Features& f = impl_->seen->features;
   if (!(f.distance[*i] > 0) || f.objectId[*i] >= impl_->seen->objects.size()) return std::nullopt;
   return elementOf(impl_->editor.home(), impl_->seen->objects[f.objectId[*i]]);
+}
+
+std::optional<ElementPart> View3d::partAt(QPoint pixel) const {
+  const auto i = impl_->featureAt(pixel);
+  if (!i) return std::nullopt;
+  const LiveView& seen = *impl_->seen;
+  const std::uint32_t object = seen.features.objectId[*i];
+  if (!(seen.features.distance[*i] > 0) || object >= seen.objects.size()) return std::nullopt;
+  const std::optional<AnyId> element = memberOf(seen.objects[object]);
+  if (!element) return std::nullopt;
+  const std::vector<std::string>& parts = (*seen.parts)[object];
+  const std::size_t slot = seen.features.slot[*i];
+  return ElementPart{*element, slot < parts.size() ? parts[slot] : std::string()};
 }
 
 std::optional<Vec3> View3d::pointAt(QPoint pixel) const {

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "editor/editor.h"
+#include "editor/finish_drag.h"
 #include "scene/cut_away.h"
 
 namespace idap {
@@ -38,6 +38,7 @@ class View3d : public QWidget {
   bool upToDate() const;                            // the newest frame shows what was last asked for
   std::optional<AnyId> at(QPoint pixel) const;      // the element seen there
   std::optional<Vec3> pointAt(QPoint pixel) const;  // world, m
+  std::optional<ElementPart> partAt(QPoint pixel) const;
 
   QSize sizeHint() const override { return {480, 320}; }
 

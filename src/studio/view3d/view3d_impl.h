@@ -5,6 +5,7 @@
 #include <QSet>
 #include <QTimer>
 
+#include "editor/finish_drag.h"
 #include "editor/view/camera_motion.h"
 #include "scene/live/live_render.h"
 #include "studio/view3d/live_link.h"
@@ -35,6 +36,9 @@ struct View3d::Impl {
                Qt::KeyboardModifiers modifiers);
   Vec3 pivot() const;  // what orbiting circles around
 
+  // view3d_drop.cpp
+  void paintAt(QPointF at, Qt::KeyboardModifiers modifiers);
+
   // view3d_keys.cpp
   static bool isWalkingKey(int key);
   void step();
@@ -58,7 +62,7 @@ struct View3d::Impl {
   bool shownFinished = false;
 
   // The pointer: what a press has begun.
-  enum class Action { None, Undecided, Look, Pan, Move, Drop };
+  enum class Action { None, Undecided, Look, Pan, Move, Drop, Paint };
   Action action = Action::None;
   Qt::MouseButton button = Qt::NoButton;
   QPointF pressedAt, lastAt;
@@ -67,6 +71,8 @@ struct View3d::Impl {
   Vec3 onPlane, planeNormal{0, 0, 1};
   bool freezeX = false;  // a move that only goes up and down
   Vec2 frozen;
+
+  std::optional<FinishDrag> finish;  // dragged over the view
 
   QSet<int> held;
   QTimer walking;

@@ -1,18 +1,13 @@
 // The pointer in the live view: looking, circling, selecting, and moving things over floors and up walls by
 // the tools of the plans.
 #include <QApplication>
-#include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QMimeData>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
 
 #include "editor/snap.h"
 #include "editor/tools/held_move_tool.h"
-#include "editor/tools/place_tool.h"
 #include "studio/view3d/view3d_impl.h"
-#include "studio/widgets/mime_types.h"
 
 namespace idap {
 
@@ -221,46 +216,6 @@ void View3d::wheelEvent(QWheelEvent* event) {
     d.look(approached(d.camera, under ? *under : d.pivot(), std::pow(kWheelFactor, notches)));
   }
   event->accept();
-}
-
-void View3d::dragEnterEvent(QDragEnterEvent* event) {
-  Impl& d = *impl_;
-  const QByteArray id = event->mimeData()->data(QString::fromLatin1(kPieceMime));
-  const CatalogPiecePtr piece = id.isEmpty() ? nullptr : d.editor.catalog().find(id.toStdString());
-  if (!piece || d.action != Impl::Action::None) return;
-  d.action = Impl::Action::Drop;
-  d.plane = Plane::XY;
-  d.onPlane = {0, 0, d.editor.elevation()};
-  d.planeNormal = {0, 0, 1};
-  d.freezeX = false;
-  d.editor.setTool(makePlaceTool(piece, true));
-  event->setDropAction(Qt::CopyAction);
-  event->accept();
-}
-
-void View3d::dragMoveEvent(QDragMoveEvent* event) {
-  if (impl_->action != Impl::Action::Drop) return;
-  impl_->pointer(PointerEvent::Kind::Move, event->position(), PointerEvent::Button::None, event->modifiers());
-  event->setDropAction(Qt::CopyAction);
-  event->accept();
-}
-
-void View3d::dragLeaveEvent(QDragLeaveEvent*) {
-  if (impl_->action != Impl::Action::Drop) return;
-  impl_->action = Impl::Action::None;
-  impl_->editor.setTool(nullptr);
-}
-
-void View3d::dropEvent(QDropEvent* event) {
-  Impl& d = *impl_;
-  if (d.action != Impl::Action::Drop) return;
-  d.pointer(PointerEvent::Kind::Press, event->position(), PointerEvent::Button::Left, event->modifiers());
-  if (!d.editor.selecting())
-    d.pointer(PointerEvent::Kind::Release, event->position(), PointerEvent::Button::Left, event->modifiers());
-  d.action = Impl::Action::None;
-  event->setDropAction(Qt::CopyAction);
-  event->accept();
-  setFocus(Qt::OtherFocusReason);
 }
 
 }  // namespace idap

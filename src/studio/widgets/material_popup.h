@@ -7,10 +7,11 @@
 #include "base/units.h"
 #include "model/finish.h"
 
-class QListView;
 class QLineEdit;
 
 namespace idap {
+
+class MaterialList;
 
 class MaterialPopup : public QFrame {
   Q_OBJECT
@@ -18,23 +19,19 @@ class MaterialPopup : public QFrame {
   MaterialPopup(const Finish& finish, const std::string& language, LengthUnit unit, const QString& plainWords,
                 QWidget* parent);
 
-  static QString groupName(const std::string& group);
-
  signals:
   void chosen(const idap::Finish& finish);
   void pictureRequested();
   void colorRequested();  // any colour, in a dialog
 
  private:
-  void fill(const QString& query);
   void choose(const Finish& finish);
   QWidget* makeOptions();
 
   Finish finish_;
-  std::string language_;
   LengthUnit unit_;
   QLineEdit* search_;
-  QListView* list_;
+  MaterialList* list_;
 };
 
 }  // namespace idap

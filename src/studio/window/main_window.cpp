@@ -165,6 +165,7 @@ void MainWindow::Impl::makeWidgets() {
     return made;
   };
   catalog = new CatalogPanel(editor, *shared->thumbnails);
+  finishes = new FinishPanel(editor);
   properties = new PropertyPanel(editor);
   furniture = new FurnitureList(editor);
   cameras = new CameraList(editor);
@@ -174,6 +175,12 @@ void MainWindow::Impl::makeWidgets() {
   furniture->setObjectName(QStringLiteral("furnitureList"));
   cameras->setObjectName(QStringLiteral("cameraList"));
   messages->setObjectName(QStringLiteral("messageList"));
+  finishes->setObjectName(QStringLiteral("finishPanel"));
+  catalogTabs = new QTabWidget;
+  catalogTabs->setObjectName(QStringLiteral("catalogTabs"));
+  catalogTabs->setDocumentMode(true);
+  catalogTabs->addTab(catalog, QString());
+  catalogTabs->addTab(finishes, QString());
   tabs = new QTabWidget;
   tabs->setObjectName(QStringLiteral("lists"));
   tabs->setDocumentMode(true);
@@ -182,7 +189,7 @@ void MainWindow::Impl::makeWidgets() {
   auto* searches = new SearchKeys(w);
   searches->watch(catalog);
   searches->watch(furniture);
-  catalogDock = dock("catalogDock", catalog, Qt::LeftDockWidgetArea);
+  catalogDock = dock("catalogDock", catalogTabs, Qt::LeftDockWidgetArea);
   propertyDock = dock("propertyDock", properties, Qt::RightDockWidgetArea);
   listDock = dock("listDock", tabs, Qt::BottomDockWidgetArea);
   listDock->setTitleBarWidget(new QWidget(listDock));  // its tabs say enough
@@ -192,6 +199,13 @@ void MainWindow::Impl::makeWidgets() {
   const int em = w->fontMetrics().height();
   w->resizeDocks({catalogDock, propertyDock}, {16 * em, 17 * em}, Qt::Horizontal);
   w->resizeDocks({listDock}, {9 * em}, Qt::Vertical);
+}
+
+void MainWindow::Impl::findFurniture() {
+  catalogDock->show();
+  catalogDock->raise();
+  catalogTabs->setCurrentWidget(catalog);
+  catalog->focusSearch();
 }
 
 void MainWindow::Impl::makeStatusBar() {
@@ -230,7 +244,7 @@ void MainWindow::Impl::connectParts() {
   QObject::connect(files, &FileFlow::jobStarted, jobs, &JobIndicator::follow);
   QObject::connect(files, &FileFlow::openChanged, w, [this] { showHome(files->isOpen()); });
   QObject::connect(files, &FileFlow::titleChanged, w, [this] { retitle(); });
-  QObject::connect(files, &FileFlow::newHome, w, [this] { catalog->focusSearch(); });
+  QObject::connect(files, &FileFlow::newHome, w, [this] { findFurniture(); });
   QObject::connect(files, &FileFlow::savedTo, w, [this] { pictureForRecent(); });
 
   QObject::connect(welcome, &WelcomePage::roomRequested, files, &FileFlow::newRoom);
@@ -364,6 +378,8 @@ void MainWindow::Impl::retitle() {
   const bool modified = files->isOpen() && editor.document().modified();
   w->setWindowTitle(files->isOpen() ? files->title() + QStringLiteral("[*]") : MainWindow::tr("Welcome"));
   w->setWindowModified(modified);
+  catalogTabs->setTabText(0, MainWindow::tr("Furniture"));
+  catalogTabs->setTabText(1, MainWindow::tr("Finishes"));
   tabs->setTabText(0, MainWindow::tr("Furniture"));
   tabs->setTabText(1, MainWindow::tr("Points of view"));
   tabs->setTabText(2, unseenWarnings > 0 ? MainWindow::tr("Messages (%1)").arg(unseenWarnings)

@@ -160,11 +160,7 @@ void MainWindow::Impl::makeEditActions() {
   ofHome(
       actions->add({"find", QT_TRANSLATE_NOOP("idap", "&Find in the catalog"),
                     QT_TRANSLATE_NOOP("idap", "Search for furniture by its name; Enter places it"), "Ctrl+F"},
-                   [this] {
-                     catalogDock->show();
-                     catalogDock->raise();
-                     catalog->focusSearch();
-                   }));
+                   [this] { findFurniture(); }));
   ofHome(actions->add(
       {"import-furniture", QT_TRANSLATE_NOOP("idap", "&Import furniture…"),
        QT_TRANSLATE_NOOP("idap", "Adds a model of your own, or a library of furniture, to the catalog")},

@@ -12,6 +12,7 @@
 #include <QToolBar>
 
 #include "studio/catalog/catalog_panel.h"
+#include "studio/catalog/finish_panel.h"
 #include "studio/lists/camera_list.h"
 #include "studio/lists/furniture_list.h"
 #include "studio/lists/message_list.h"
@@ -38,6 +39,7 @@ struct MainWindow::Impl {
   // main_window.cpp
   void makeWidgets();
   void makeStatusBar();
+  void findFurniture();  // goes to the search of the catalog
   void connectParts();
   void onEditor(Editor::Change change);
   void refresh();
@@ -84,7 +86,9 @@ struct MainWindow::Impl {
   ViewArea* views = nullptr;
   HintLine* hint = nullptr;
   QDockWidget *catalogDock = nullptr, *propertyDock = nullptr, *listDock = nullptr;
+  QTabWidget* catalogTabs = nullptr;
   CatalogPanel* catalog = nullptr;
+  FinishPanel* finishes = nullptr;
   PropertyPanel* properties = nullptr;
   QTabWidget* tabs = nullptr;
   FurnitureList* furniture = nullptr;
