@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
         Home next = before;
         const auto [id, wall] = *before.walls.begin();
         Wall moved = *wall;
-        moved.end.x += i % 2 ? 0.05 : -0.05;
+        moved.end.x += 0.01 * (1 + i % 5);  // on and on, as in a drag
         next.walls.set(id, moved);
         return next;
       });

@@ -38,6 +38,7 @@ struct Box2 {
     min = {std::min(min.x, p.x), std::min(min.y, p.y)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y)};
   }
+  friend bool operator==(const Box2&, const Box2&) = default;
   bool overlaps(const Box2& b) const {
     return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y;
   }

@@ -16,6 +16,7 @@ using Polygon = std::vector<Vec2>;  // a ring; the last point is not repeated
 struct Region {
   Polygon outer;
   std::vector<Polygon> holes;
+  friend bool operator==(const Region&, const Region&) = default;
 };
 using Regions = std::vector<Region>;
 

@@ -50,7 +50,9 @@ Rgb meanReflectance(const render::Texture& picture) {
   return count > 0 ? toFloat(sum / count) : Rgb{1, 1, 1};
 }
 
-render::TexturePtr mottle() {
+namespace {
+
+render::TexturePtr makeMottle() {
   // Tufts, patches and a slow change of tone, in that order of fineness.
   const PeriodicFbm tufts(48, 48, 3, 5), patches(7, 7, 4, 6), slow(2, 2, 2, 7);
   auto texture = std::make_shared<render::Texture>();
@@ -74,6 +76,13 @@ render::TexturePtr mottle() {
     }
   }
   return texture;
+}
+
+}  // namespace
+
+render::TexturePtr mottle() {
+  static const render::TexturePtr made = makeMottle();
+  return made;
 }
 
 Ground buildGround(render::Surface soil, const Regions& open, const Box2& around, double height,

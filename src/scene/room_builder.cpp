@@ -45,15 +45,15 @@ bool isNear(const WallSolid& wall, const Box2& around) {
 }
 
 // around: only walls near it; none: all.
-Regions wallPlan(const std::vector<WallSolid>& walls, std::size_t storey, double reaching,
-                 const std::optional<Box2>& around = {}) {
+std::vector<Polygon> wallOutlines(const std::vector<WallSolid>& walls, std::size_t storey, double reaching,
+                                  const std::optional<Box2>& around = {}) {
   std::vector<Polygon> outlines;
   for (const WallSolid& wall : walls) {
     if (wall.storey != storey || (around && !isNear(wall, *around))) continue;
     const double top = wall.floor + wall.raised + std::max(wall.wall->heightAtStart, wall.wall->heightAtEnd);
     if (top >= reaching) outlines.push_back(wall.polygon);
   }
-  return unite(outlines);
+  return outlines;
 }
 
 // The parts of walls that a floor or ceiling reaches into.
@@ -106,38 +106,43 @@ std::vector<StairHole> stairHoles(const Home& home, const std::vector<Storey>& s
 
 RoomBuilder::RoomBuilder(const Home& home, const std::vector<Storey>& storeys,
                          const std::vector<WallSolid>& walls, const std::vector<std::vector<WallCut>>& cuts,
-                         bool ceilings)
+                         bool ceilings, StructureMemo* known)
     : storeys_(storeys), walls_(walls), cuts_(cuts), holes_(stairHoles(home, storeys)), ceilings_(ceilings) {
+  StructureMemo none;
+  StructureMemo& memo = known ? *known : none;
   std::vector<std::pair<RoomId, std::shared_ptr<const idap::Room>>> drawn(home.rooms.begin(),
                                                                           home.rooms.end());
   std::vector<std::optional<Room>> plans(drawn.size());
   tbb::parallel_for(std::size_t{0}, drawn.size(),
-                    [&](std::size_t i) { plans[i] = planOf(drawn[i].first, drawn[i].second); });
+                    [&](std::size_t i) { plans[i] = planOf(drawn[i].first, drawn[i].second, memo); });
   for (std::optional<Room>& plan : plans)
     if (plan) rooms_.push_back(std::move(*plan));
-  layFloors();
-  layDoorsteps();
+  layFloors(memo);
+  layDoorsteps(memo);
   findCeilings();
 }
 
-std::optional<RoomBuilder::Room> RoomBuilder::planOf(RoomId id,
-                                                     const std::shared_ptr<const idap::Room>& room) const {
+std::optional<RoomBuilder::Room> RoomBuilder::planOf(RoomId id, const std::shared_ptr<const idap::Room>& room,
+                                                     StructureMemo& memo) const {
   const auto storey = std::ranges::find(storeys_, room->level, &Storey::id);
   if (storey == storeys_.end()) return std::nullopt;
   Room r;
   r.id = id;
   r.room = room;
   r.storey = static_cast<std::size_t>(storey - storeys_.begin());
-  Regions plan = repair(room->points);
-  if (plan.empty()) return std::nullopt;
-  const Regions wallsHere = wallPlan(walls_, r.storey, -1e300, bounds(room->points));
-  if (!wallsHere.empty()) {
-    // A narrow gap between the drawn outline and a wall is closed.
-    const Regions closed = buffer(buffer(unite(plan, wallsHere), kGap), -kGap);
-    plan = unite(plan, intersect(closed, buffer(plan, 2 * kGap)));
-    plan = subtract(plan, wallsHere);
-  }
-  r.plan = withoutSlivers(std::move(plan));
+  const std::vector<Polygon> outlines = wallOutlines(walls_, r.storey, -1e300, bounds(room->points));
+  r.plan = memo.regions.get(MemoKey('p').add(room->points).add(outlines).take(), [&] {
+    Regions plan = repair(room->points);
+    if (plan.empty()) return plan;
+    const Regions wallsHere = unite(outlines);
+    if (!wallsHere.empty()) {
+      // A narrow gap between the drawn outline and a wall is closed.
+      const Regions closed = buffer(buffer(unite(plan, wallsHere), kGap), -kGap);
+      plan = unite(plan, intersect(closed, buffer(plan, 2 * kGap)));
+      plan = subtract(plan, wallsHere);
+    }
+    return withoutSlivers(std::move(plan));
+  });
   if (r.plan.empty()) return std::nullopt;
   r.box = bounds(r.plan);
   return r;
@@ -152,7 +157,7 @@ double RoomBuilder::reachUnderWalls(std::size_t storey) const {
   return reach;
 }
 
-void RoomBuilder::layFloors() {
+void RoomBuilder::layFloors(StructureMemo& memo) {
   std::vector<Regions> holes(storeys_.size());
   std::vector<double> reach(storeys_.size());
   for (std::size_t s = 0; s < storeys_.size(); ++s) {
@@ -176,20 +181,28 @@ void RoomBuilder::layFloors() {
     for (std::size_t j = i + 1; j < rooms_.size(); ++j) {
       if (laid(j) && beside(room, rooms_[j])) append(taken, rooms_[j].plan);
     }
-    room.floor = taken.empty() ? room.plan : withoutSlivers(subtract(room.plan, taken));
+    if (taken.empty()) {
+      room.floor = room.plan;
+    } else {
+      room.floor = memo.regions.get(MemoKey('f').add(room.plan).add(taken).take(),
+                                    [&] { return withoutSlivers(subtract(room.plan, taken)); });
+    }
   });
   // What each would cover under the walls; where two would, the later one does.
   std::vector<Regions> under(rooms_.size());
   tbb::parallel_for(std::size_t{0}, rooms_.size(), [&](std::size_t i) {
     const Room& room = rooms_[i];
     if (room.floor.empty()) return;
-    const Regions walls = wallPlan(walls_, room.storey, -1e300, room.box);
+    const std::vector<Polygon> walls = wallOutlines(walls_, room.storey, -1e300, room.box);
     if (walls.empty()) return;
     Regions taken = holes[room.storey];
     for (std::size_t j = 0; j < rooms_.size(); ++j) {
       if (laid(j) && beside(room, rooms_[j])) append(taken, rooms_[j].floor);
     }
-    under[i] = withoutSlivers(subtract(margin(room.floor, walls, reach[room.storey]), taken));
+    const double far = reach[room.storey];
+    under[i] = memo.regions.get(MemoKey('u').add(room.floor).add(walls).add(far).add(taken).take(), [&] {
+      return withoutSlivers(subtract(margin(room.floor, unite(walls), far), taken));
+    });
   });
   const std::vector<Regions> wanted = under;
   tbb::parallel_for(std::size_t{0}, rooms_.size(), [&](std::size_t i) {
@@ -198,13 +211,16 @@ void RoomBuilder::layFloors() {
     for (std::size_t j = i + 1; j < rooms_.size(); ++j) {
       if (beside(rooms_[i], rooms_[j])) append(taken, wanted[j]);
     }
-    if (!taken.empty()) under[i] = withoutSlivers(subtract(under[i], taken));
-    rooms_[i].floor = unite(rooms_[i].floor, under[i]);
+    rooms_[i].floor =
+        memo.regions.get(MemoKey('w').add(rooms_[i].floor).add(under[i]).add(taken).take(), [&] {
+          if (!taken.empty()) under[i] = withoutSlivers(subtract(under[i], taken));
+          return unite(rooms_[i].floor, under[i]);
+        });
   });
 }
 
 // The floor goes on through doors: to the middle of the wall from either side.
-void RoomBuilder::layDoorsteps() {
+void RoomBuilder::layDoorsteps(StructureMemo& memo) {
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const WallSolid& wall = walls_[w];
     for (const WallCut& cut : cuts_[w]) {
@@ -229,15 +245,17 @@ void RoomBuilder::layDoorsteps() {
       if (!before) continue;
       const double half = (low + high) / 2, reach = high - low + 0.5;
       const auto lay = [&](Room& room, double v0, double v1) {
-        Regions step = intersect({{wall.polygon, {}}},
-                                 {{{o.plan(u0, v0), o.plan(u1, v0), o.plan(u1, v1), o.plan(u0, v1)}, {}}});
-        const Box2 box = bounds(step);
+        const Polygon across{o.plan(u0, v0), o.plan(u1, v0), o.plan(u1, v1), o.plan(u0, v1)};
+        const Box2 box = bounds(wall.polygon);
         Regions taken;
         for (const Room& other : rooms_) {
           if (other.storey == wall.storey && bounds(other.floor).overlaps(box)) append(taken, other.floor);
         }
-        if (!taken.empty()) step = subtract(step, taken);
-        step = withoutSlivers(std::move(step));
+        const Regions step =
+            memo.regions.get(MemoKey('s').add(wall.polygon).add(across).add(taken).take(), [&] {
+              const Regions inWall = intersect({{wall.polygon, {}}}, {{across, {}}});
+              return withoutSlivers(taken.empty() ? inWall : subtract(inWall, taken));
+            });
         room.doorsteps.insert(room.doorsteps.end(), step.begin(), step.end());
       };
       if (before == behind) {
@@ -322,25 +340,35 @@ bool RoomBuilder::goesOn(const StairHole& hole, std::size_t storey, double ceili
   return storeys_.size() > storey + 1 && hole.bottom < ceiling - 0.05 && hole.top >= ceiling - 0.05;
 }
 
-Regions RoomBuilder::ceilingRegion(std::size_t index) const {
+Regions RoomBuilder::ceilingRegion(std::size_t index, StructureMemo& memo) const {
   const Room& room = rooms_[index];
-  const Regions walls = wallPlan(walls_, room.storey, room.ceiling - 0.1, bounds(room.room->points));
-  Regions region = repair(room.room->points);
-  if (!walls.empty()) region = subtract(unite(region, room.plan), walls);
-  if (!walls.empty()) region = unite(region, margin(region, walls, reachUnderWalls(room.storey)));
+  const std::vector<Polygon> outlines =
+      wallOutlines(walls_, room.storey, room.ceiling - 0.1, bounds(room.room->points));
   Regions away;
   for (const StairHole& hole : holes_) {
     if (goesOn(hole, room.storey, room.ceiling)) append(away, hole.region);
   }
+  Box2 box = room.box;
+  box.add(bounds(room.room->points).min), box.add(bounds(room.room->points).max);
   for (std::size_t j = index + 1; j < rooms_.size(); ++j) {
     const Room& other = rooms_[j];
     if (other.storey == room.storey && other.room->ceilingVisible && !other.sloped &&
-        std::abs(other.ceiling - room.ceiling) < 1e-3 && other.box.overlaps(bounds(region))) {
+        std::abs(other.ceiling - room.ceiling) < 1e-3 && other.box.overlaps(box)) {
       append(away, other.plan);
     }
   }
-  if (!away.empty()) region = subtract(region, away);
-  return withoutSlivers(std::move(region));
+  const double reach = reachUnderWalls(room.storey);
+  const std::string key =
+      MemoKey('c').add(room.room->points).add(room.plan).add(outlines).add(reach).add(away).take();
+  return memo.regions.get(key, [&] {
+    Regions region = repair(room.room->points);
+    if (const Regions walls = unite(outlines); !walls.empty()) {
+      region = subtract(unite(region, room.plan), walls);
+      region = unite(region, margin(region, walls, reach));
+    }
+    if (!away.empty()) region = subtract(region, away);
+    return withoutSlivers(std::move(region));
+  });
 }
 
 void RoomBuilder::addSlopedCeiling(const Room& room, MeshSink& sink) const {
@@ -396,32 +424,48 @@ void RoomBuilder::addSlopedCeiling(const Room& room, MeshSink& sink) const {
   }
 }
 
-std::shared_ptr<const Mesh> RoomBuilder::buildFloor(std::size_t index, Vec3 centre) const {
+std::shared_ptr<const Mesh> RoomBuilder::buildFloor(std::size_t index, Vec3 centre,
+                                                    StructureMemo* memo) const {
   const Room& room = rooms_[index];
   const Storey& storey = storeys_[room.storey];
-  MeshSink sink(centre);
-  if (!room.floor.empty()) {
-    sink.horizontal(room.floor, storey.elevation, true, kRoomFloor);
-    if (storey.floorThickness > 1e-4) {
-      const double under = storey.elevation - storey.floorThickness;
-      sink.horizontal(room.floor, under, false, kRoomUnderside);
-      sink.sides(room.floor, under, storey.elevation, kRoomUnderside);
+  const auto build = [&]() -> std::shared_ptr<const Mesh> {
+    MeshSink sink(centre);
+    if (!room.floor.empty()) {
+      sink.horizontal(room.floor, storey.elevation, true, kRoomFloor);
+      if (storey.floorThickness > 1e-4) {
+        const double under = storey.elevation - storey.floorThickness;
+        sink.horizontal(room.floor, under, false, kRoomUnderside);
+        sink.sides(room.floor, under, storey.elevation, kRoomUnderside);
+      }
     }
-  }
-  if (!room.doorsteps.empty()) sink.horizontal(room.doorsteps, storey.elevation, true, kRoomFloor);
-  return sink.empty() ? nullptr : sink.take();
+    if (!room.doorsteps.empty()) sink.horizontal(room.doorsteps, storey.elevation, true, kRoomFloor);
+    return sink.empty() ? nullptr : sink.take();
+  };
+  if (!memo) return build();
+  MemoKey key('F');
+  key.add(room.floor).add(room.doorsteps).add(storey.elevation).add(storey.floorThickness);
+  return memo->meshes.get(key.add(Vec2{centre.x, centre.y}).add(centre.z).take(), build);
 }
 
-std::shared_ptr<const Mesh> RoomBuilder::buildCeiling(std::size_t index, Vec3 centre) const {
+std::shared_ptr<const Mesh> RoomBuilder::buildCeiling(std::size_t index, Vec3 centre,
+                                                      StructureMemo* memo) const {
   const Room& room = rooms_[index];
   if (!ceilings_ || !room.room->ceilingVisible) return nullptr;
   MeshSink sink(centre);
   if (room.sloped) {
     addSlopedCeiling(room, sink);
-  } else {
-    sink.horizontal(ceilingRegion(index), room.ceiling, false, kRoomCeiling);
+    return sink.empty() ? nullptr : sink.take();
   }
-  return sink.empty() ? nullptr : sink.take();
+  StructureMemo none;
+  const Regions region = ceilingRegion(index, memo ? *memo : none);
+  const auto build = [&]() -> std::shared_ptr<const Mesh> {
+    sink.horizontal(region, room.ceiling, false, kRoomCeiling);
+    return sink.empty() ? nullptr : sink.take();
+  };
+  if (!memo) return build();
+  const std::string key =
+      MemoKey('C').add(region).add(room.ceiling).add(Vec2{centre.x, centre.y}).add(centre.z).take();
+  return memo->meshes.get(key, build);
 }
 
 bool RoomBuilder::isIndoors(std::size_t storey, Vec2 point) const {
@@ -445,7 +489,7 @@ std::optional<double> RoomBuilder::ceilingOver(std::size_t storey, Vec2 point) c
 }
 
 Regions RoomBuilder::footprint(std::size_t storey) const {
-  Regions result = wallPlan(walls_, storey, -1e300);
+  Regions result = unite(wallOutlines(walls_, storey, -1e300));
   for (const Room& room : rooms_) {
     if (room.storey == storey && !room.floor.empty()) result = unite(result, room.floor);
   }

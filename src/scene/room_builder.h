@@ -6,6 +6,7 @@
 
 #include "scene/mesh_sink.h"
 #include "scene/opening_cut.h"
+#include "scene/structure_memo.h"
 
 namespace idap {
 
@@ -22,7 +23,8 @@ class RoomBuilder {
  public:
   // cuts: of each wall.
   RoomBuilder(const Home& home, const std::vector<Storey>& storeys, const std::vector<WallSolid>& walls,
-              const std::vector<std::vector<WallCut>>& cuts, bool ceilings);
+              const std::vector<std::vector<WallCut>>& cuts, bool ceilings,
+              StructureMemo* memo = nullptr);  // used by the constructor only
 
   struct Room {
     RoomId id;
@@ -38,8 +40,9 @@ class RoomBuilder {
   const std::vector<Room>& rooms() const { return rooms_; }
 
   // The floor of rooms()[index] with its slab, and its ceiling, relative to centre; null where there is none.
-  std::shared_ptr<const Mesh> buildFloor(std::size_t index, Vec3 centre) const;
-  std::shared_ptr<const Mesh> buildCeiling(std::size_t index, Vec3 centre) const;
+  std::shared_ptr<const Mesh> buildFloor(std::size_t index, Vec3 centre, StructureMemo* memo = nullptr) const;
+  std::shared_ptr<const Mesh> buildCeiling(std::size_t index, Vec3 centre,
+                                           StructureMemo* memo = nullptr) const;
 
   // True where the point of the plan lies in a room of the storey that has something over it.
   bool isIndoors(std::size_t storey, Vec2 point) const;
@@ -49,15 +52,16 @@ class RoomBuilder {
   Regions footprint(std::size_t storey) const;
 
  private:
-  std::optional<Room> planOf(RoomId id, const std::shared_ptr<const idap::Room>& room) const;
-  void layFloors();
+  std::optional<Room> planOf(RoomId id, const std::shared_ptr<const idap::Room>& room,
+                             StructureMemo& memo) const;
+  void layFloors(StructureMemo& memo);
   double reachUnderWalls(std::size_t storey) const;
-  void layDoorsteps();
+  void layDoorsteps(StructureMemo& memo);
   void findCeilings();
   double flatCeiling(const Room& room) const;
   bool touchesSlope(const Room& room) const;
   bool goesOn(const StairHole& hole, std::size_t storey, double ceiling) const;
-  Regions ceilingRegion(std::size_t index) const;
+  Regions ceilingRegion(std::size_t index, StructureMemo& memo) const;
   void addSlopedCeiling(const Room& room, MeshSink& sink) const;
 
   const std::vector<Storey>& storeys_;

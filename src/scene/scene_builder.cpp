@@ -96,7 +96,7 @@ bool isOf(const Structure& structure, const Home& home, bool hiddenLevels) {
 
 std::shared_ptr<const Structure> buildStructure(const Home& home, bool ceilings, bool hiddenLevels,
                                                 const std::shared_ptr<const Structure>& before,
-                                                const Progress& progress) {
+                                                StructureMemo& memo, const Progress& progress) {
   if (before && isOf(*before, home, hiddenLevels)) return before;
   auto made = std::make_shared<Structure>();
   Structure& s = *made;
@@ -112,7 +112,8 @@ std::shared_ptr<const Structure> buildStructure(const Home& home, bool ceilings,
   s.centre = {middle.x, middle.y, 0};
   if (before && length(before->centre - s.centre) < kNear) s.centre = before->centre;
   s.cuts = cutsOf(s.walls, s.openings);
-  s.rooms.emplace(home, s.storeys, s.walls, s.cuts, ceilings);
+  memo.nextRound();
+  s.rooms.emplace(home, s.storeys, s.walls, s.cuts, ceilings, &memo);
   progress.check();
 
   const WallBuilder walls(home, s.walls, s.cuts);
@@ -122,11 +123,11 @@ std::shared_ptr<const Structure> buildStructure(const Home& home, bool ceilings,
   s.ceilingMeshes.resize(rooms);
   tbb::parallel_for(std::size_t{0}, s.walls.size() + 2 * rooms, [&](std::size_t i) {
     if (i < s.walls.size()) {
-      s.wallMeshes[i] = walls.build(i, s.centre);
+      s.wallMeshes[i] = walls.build(i, s.centre, &memo);
     } else if (const std::size_t room = i - s.walls.size(); room < rooms) {
-      s.roomMeshes[room] = s.rooms->buildFloor(room, s.centre);
+      s.roomMeshes[room] = s.rooms->buildFloor(room, s.centre, &memo);
     } else {
-      s.ceilingMeshes[room - rooms] = s.rooms->buildCeiling(room - rooms, s.centre);
+      s.ceilingMeshes[room - rooms] = s.rooms->buildCeiling(room - rooms, s.centre, &memo);
     }
   });
   if (before) {
@@ -179,7 +180,7 @@ class Build {
     progress_.report(0.02, "building walls and rooms");
     std::shared_ptr<const Structure>& known = memory_.structure[options_.ceilings ? 1 : 0];
     known = buildStructure(home_, options_.ceilings, options_.hiddenLevels.value_or(options_.ceilings), known,
-                           progress_);
+                           *memory_.structureParts, progress_);
     structure_ = known;
     built_.centre = structure_->centre;
     progress_.report(0.3, "reading models");
@@ -329,9 +330,16 @@ class Build {
   // The land, open where rooms lie below it.
   void addGround() {
     std::optional<SceneMemory::Land>& known = memory_.land;
-    if (!known || known->structure != structure_ || known->soil != soil_.baseColor ||
-        known->horizon != horizon_ || known->soilMap != soil_.baseColorMap) {
-      SceneMemory::Land land{structure_, soil_.baseColor, horizon_, soil_.baseColorMap,
+    const Structure& s = *structure_;
+    if (!known || known->open != s.openGround || known->extent != s.extent || known->centre != s.centre ||
+        known->soil != soil_.baseColor || known->horizon != horizon_ ||
+        known->soilMap != soil_.baseColorMap) {
+      SceneMemory::Land land{s.openGround,
+                             s.extent,
+                             s.centre,
+                             soil_.baseColor,
+                             horizon_,
+                             soil_.baseColorMap,
                              buildGround(soil_, structure_->openGround, structure_->extent, -kGroundBelow,
                                          horizon_, built_.centre)};
       if (known) keepEqual(land.ground.mesh, known->ground.mesh);

@@ -64,6 +64,8 @@ struct SceneMemory {
   ModelCache models;
   TextureCache textures;
   std::shared_ptr<const Structure> structure[2];  // without and with ceilings
+  // Not moved with the rest: threads hold its locks.
+  std::unique_ptr<StructureMemo> structureParts = std::make_unique<StructureMemo>();
   MeshStore pieceMeshes;
   std::shared_ptr<const Mesh> missingModel;
   struct Light {
@@ -72,7 +74,9 @@ struct SceneMemory {
   };
   std::optional<Light> daylight;
   struct Land {
-    std::shared_ptr<const Structure> structure;
+    Regions open;
+    Box2 extent;
+    Vec3 centre;
     Rgb soil, horizon;
     render::TexturePtr soilMap;
     Ground ground;

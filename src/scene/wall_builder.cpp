@@ -49,7 +49,44 @@ WallBuilder::WallBuilder(const Home& home, const std::vector<WallSolid>& walls,
   for (const WallSolid& wall : walls_) faces_.push_back(facesOf(wall));
 }
 
-std::shared_ptr<const Mesh> WallBuilder::build(std::size_t index, Vec3 centre) const {
+std::shared_ptr<const Mesh> WallBuilder::build(std::size_t index, Vec3 centre, StructureMemo* memo) const {
+  if (!memo) return make(index, centre);
+  return memo->meshes.get(keyOf(index, centre), [&] { return make(index, centre); });
+}
+
+bool WallBuilder::near(const WallSolid& wall, const WallSolid& other) const {
+  return other.box.overlaps({wall.box.min - Vec2{0.001, 0.001}, wall.box.max + Vec2{0.001, 0.001}});
+}
+
+// All that make() looks at: the wall, those it meets, and what cuts it.
+std::string WallBuilder::keyOf(std::size_t index, Vec3 centre) const {
+  MemoKey key('W');
+  key.add(centre.x).add(centre.y).add(centre.z);
+  const auto addWall = [&](const WallSolid& s) {
+    const Wall& w = *s.wall;
+    key.add(w.start).add(w.end).add(w.arcExtent).add(w.thickness).add(w.heightAtStart).add(w.heightAtEnd);
+    key.add(w.neighbourAtStart.value).add(w.neighbourAtEnd.value).add(s.id.value);
+    key.add(s.floor).add(s.bottom).add(s.raised);
+    key.add(s.outline.left).add(s.outline.right).add(s.outline.startCap).add(s.outline.endCap);
+  };
+  const WallSolid& wall = walls_[index];
+  addWall(wall);
+  for (const WallSide* side : {&wall.wall->left, &wall.wall->right}) {
+    key.add(side->baseboard ? side->baseboard->thickness : -1);
+    key.add(side->baseboard ? side->baseboard->height : -1);
+  }
+  for (std::size_t j = 0; j < walls_.size(); ++j) {
+    if (j != index && near(wall, walls_[j])) key.add(j < index), addWall(walls_[j]);
+  }
+  for (const WallCut& cut : cuts_[index]) {
+    const OpeningCut& o = *cut.opening;
+    key.add(cut.throughLow).add(cut.throughHigh).add(cut.leftIsHigh);
+    key.add(o.origin).add(o.uAxis).add(o.vAxis).add(o.v0).add(o.v1).add(o.bothSides).add(o.shape);
+  }
+  return key.take();
+}
+
+std::shared_ptr<const Mesh> WallBuilder::make(std::size_t index, Vec3 centre) const {
   MeshSink sink(centre);
   for (const Face& face : faces_[index]) addFace(index, face, sink);
   addTop(index, sink);
@@ -151,9 +188,7 @@ Regions WallBuilder::coveredByOthers(std::size_t index, const Face& face) const 
   const Vec2 d = (face.p1 - face.p0) / l, n = outward(d);
   for (std::size_t j = 0; j < walls_.size(); ++j) {
     const WallSolid& other = walls_[j];
-    if (j == index ||
-        !other.box.overlaps({wall.box.min - Vec2{0.001, 0.001}, wall.box.max + Vec2{0.001, 0.001}}))
-      continue;
+    if (j == index || !near(wall, other)) continue;
     for (const Face& f : faces_[j]) {
       if (f.cap != face.cap ? f.cap : j > index) continue;
       if (std::abs(dot(f.p0 - face.p0, n)) > kCoplanar || std::abs(dot(f.p1 - face.p0, n)) > kCoplanar)

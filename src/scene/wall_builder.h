@@ -4,6 +4,7 @@
 
 #include "scene/mesh_sink.h"
 #include "scene/opening_cut.h"
+#include "scene/structure_memo.h"
 
 namespace idap {
 
@@ -24,7 +25,7 @@ class WallBuilder {
               const std::vector<std::vector<WallCut>>& cuts);
 
   // The mesh of walls[index], relative to centre; null when nothing of it is left.
-  std::shared_ptr<const Mesh> build(std::size_t index, Vec3 centre) const;
+  std::shared_ptr<const Mesh> build(std::size_t index, Vec3 centre, StructureMemo* memo = nullptr) const;
 
  private:
   // One upright face: from p0 to p1 with the outside on the right hand.
@@ -36,6 +37,9 @@ class WallBuilder {
     bool cap = false;
   };
 
+  std::shared_ptr<const Mesh> make(std::size_t index, Vec3 centre) const;
+  std::string keyOf(std::size_t index, Vec3 centre) const;
+  bool near(const WallSolid& wall, const WallSolid& other) const;
   std::vector<Face> facesOf(const WallSolid& wall) const;
   void addFace(std::size_t index, const Face& face, MeshSink& sink) const;
   Regions cutFace(const WallSolid& wall, const WallCut& cut, const Face& face) const;

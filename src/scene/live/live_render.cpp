@@ -4,6 +4,7 @@
 #include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
@@ -25,8 +26,10 @@ namespace idap {
 
 namespace {
 
-constexpr double kCoarsePixels = 3600;    // traced for the first frame
-constexpr double kSketchPixels = 50'000;  // that it is enlarged to
+constexpr double kCoarsePixels = 3600;    // traced for the first frame, at most
+constexpr double kSketchPixels = 50'000;  // that it is enlarged to, at most
+constexpr double kCoarseTime = 0.026;     // s that it may take: slow machines trace fewer
+constexpr double kFewest = 0.3;           // share of those pixels, at least
 constexpr double kCalm = 0.35;            // how far the exposure of coarse frames follows each new one
 constexpr float kJump = 1.5f;             // stops from where it does so at once
 
@@ -143,6 +146,7 @@ struct LiveRender::Impl {
   std::shared_ptr<LiveView> view;
   std::optional<float> ev;
   Rgb illuminant{1, 1, 1};
+  double share = 1;  // of the coarse frame's pixels
 
   Impl(Sink s, int n) : sink(std::move(s)), threads(n), stage(n) {}
 
@@ -192,7 +196,8 @@ struct LiveRender::Impl {
   // A frame at once: little light, much sharpness. Never broken off, so that something shows while changes
   // come in faster than frames.
   void coarse() {
-    const auto [w, h] = sized(request, kCoarsePixels);
+    const auto began = std::chrono::steady_clock::now();
+    const auto [w, h] = sized(request, share * kCoarsePixels);
     render::RenderSettings settings;
     settings.width = w;
     settings.height = h;
@@ -201,7 +206,7 @@ struct LiveRender::Impl {
     if (ev) settings.clampIndirect = render::clampFor(*ev);
     render::Film film(w, h);
     render::render(stage.scene(), camera(), settings, film);
-    const auto [sw, sh] = sized(request, kSketchPixels);
+    const auto [sw, sh] = sized(request, share * kSketchPixels);
     lookThrough(sw, sh);
     std::vector<Rgb> color = film.meanColors();
     denoiser.run(film, color, {.threads = threads, .fast = true});
@@ -219,6 +224,8 @@ struct LiveRender::Impl {
     const float gain = render::exposureMultiplier(*ev - request.compensation);
     for (Rgb& c : large) c = balance(c) * gain;
     emitFrame(render::toImage(large, sw, sh, request.toneMap), 0, false);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    share = std::clamp(share * std::clamp(kCoarseTime / took.count(), 0.85, 1.1), kFewest, 1.0);
   }
 
   // Half the size first, then the whole in waves of doubling length.
