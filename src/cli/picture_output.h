@@ -1,15 +1,13 @@
-// Pictures to files by their extension: developed for PNG, JPEG and PCX; linear with all layers for EXR.
+// Pictures to files by their extension: developed for a screen, or linear with all layers for EXR.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "pictures/picture_kind.h"
 #include "render/film/develop.h"
-#include "render/film/film.h"
 
 namespace idap::cli {
-
-enum class PictureKind { Png, Jpeg, Exr, Pcx };
 
 // By the extension; throws UsageError for one that is not known.
 PictureKind pictureKind(const std::string& file);

@@ -232,7 +232,7 @@ Job describeRender(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("FILE", options->input, "Home to show (.idap, .sh3d)")->required();
   app.add_option("-o,--output", options->output,
-                 "Picture to write: .png, .jpg, .exr (linear, with layers) or .pcx")
+                 "Picture to write: .png, .jpg, .exr (linear, with layers), .pcx or .gif")
       ->required();
   app.add_option("--camera", options->camera, "Point of view: its name, its number from 1, or top")
       ->type_name("NAME|N|top");

@@ -60,6 +60,7 @@ std::set<std::string> assetsInUse(const Home& home, const std::vector<std::strin
   }
   for (const auto& [id, opening] : home.openings) gatherer.add(*opening);
   for (const auto& [id, piece] : home.furniture) gatherer.add(*piece);
+  for (const auto& [id, picture] : home.pictures) gatherer.add(picture->asset);
   for (const auto& [level, background] : home.backgrounds) gatherer.add(background.asset);
   std::set<std::string> used;
   std::copy_if(available.begin(), available.end(), std::inserter(used, used.end()),

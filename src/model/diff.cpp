@@ -55,7 +55,7 @@ Changes<IdType> changes(const Table<IdType, T>& before, const Table<IdType, T>& 
 bool HomeDiff::empty() const {
   return levels.empty() && walls.empty() && rooms.empty() && openings.empty() && furniture.empty() &&
          groups.empty() && cameras.empty() && dimensions.empty() && labels.empty() && polylines.empty() &&
-         !site && !environment && !texts && !assets && !backgrounds;
+         pictures.empty() && !site && !environment && !texts && !assets && !backgrounds;
 }
 
 HomeDiff diff(const Home& before, const Home& after) {
@@ -70,6 +70,7 @@ HomeDiff diff(const Home& before, const Home& after) {
   result.dimensions = changes(before.dimensions, after.dimensions);
   result.labels = changes(before.labels, after.labels);
   result.polylines = changes(before.polylines, after.polylines);
+  result.pictures = changes(before.pictures, after.pictures);
   result.site = before.site != after.site;
   result.environment = before.environment != after.environment;
   result.texts = before.name != after.name || before.title != after.title || before.notes != after.notes ||

@@ -24,6 +24,7 @@ struct HomeDiff {
   Changes<DimensionId> dimensions;
   Changes<LabelId> labels;
   Changes<PolylineId> polylines;
+  Changes<PictureId> pictures;
   bool site = false, environment = false;
   bool texts = false;   // name, title, notes, currency, height of new walls, properties
   bool assets = false;  // the set of files is another one, perhaps with equal files

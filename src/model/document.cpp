@@ -24,6 +24,37 @@ void Document::apply(const Edit& edit) {
   swapTo(std::move(next), ++lastRevision_);
 }
 
+void Document::amend(const std::function<Home(const Home&)>& change) {
+  const auto amended = [&](const Home& home) {
+    Home next = change(home);
+    requireValid(next, home);
+    return next;
+  };
+  Home next = amended(current_);
+  if (next == current_) return;
+  std::vector<Home> others;
+  for (const std::vector<Step>* steps : {&undo_, &redo_})
+    for (const Step& step : *steps) others.push_back(amended(step.home));
+  std::optional<Home> before;
+  if (transaction_) before = amended(transaction_->before);
+  auto other = others.begin();
+  for (std::vector<Step>* steps : {&undo_, &redo_})
+    for (Step& step : *steps) step.home = std::move(*other++);
+  if (transaction_) {
+    transaction_->before = std::move(*before);
+    transaction_->revision = ++lastRevision_;
+  }
+  markUnsaved();
+  swapTo(std::move(next), ++lastRevision_);
+}
+
+std::uint64_t Document::freeId() const {
+  std::uint64_t id = current_.nextId;
+  for (const std::vector<Step>* steps : {&undo_, &redo_})
+    for (const Step& step : *steps) id = std::max(id, step.home.nextId);
+  return transaction_ ? std::max(id, transaction_->before.nextId) : id;
+}
+
 void Document::begin(std::string name) {
   if (transaction_)
     throw InvalidHome("'" + name + "' cannot begin while '" + transaction_->name + "' is under way");

@@ -33,6 +33,13 @@ class Document {
   // the home; throws InvalidHome while a transaction is open. An edit that changes nothing leaves no step.
   void apply(const Edit& edit);
 
+  // Changes the home in every state of its history, without a step of its own: for what is no part of the
+  // design, such as the pictures that were made of it. Not while it would break one of those: throws
+  // InvalidHome and changes nothing. In a transaction it goes on.
+  void amend(const std::function<Home(const Home&)>& change);
+  // A number that no element has in any state of the history.
+  std::uint64_t freeId() const;
+
   // A drag: begin, any number of previews (each applied to the home as it was at begin), then commit or
   // cancel. A preview that breaks the home throws InvalidHome and leaves the last good one standing. begin in
   // a transaction, preview and commit outside one throw InvalidHome; cancel outside one does nothing.

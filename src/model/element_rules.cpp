@@ -267,6 +267,33 @@ void rules(T& camera, Judge& j) {
     }
 }
 
+template <Is<Picture> T>
+void rules(T& picture, Judge& j) {
+  if (!j.home().assets || !j.home().assets->contains(picture.asset))
+    return j.drop("the picture itself is missing: dropped");
+  j.text(picture.name);
+  rules(picture.settings.view, j);
+  const auto pixels = [&j](auto& side, int fallback) {
+    if (side >= 1 && side <= kMaxPictureSide) return;
+    j.found("size not usable: changed");
+    if constexpr (!std::is_const_v<T>) side = fallback;
+  };
+  pixels(picture.settings.width, PictureSettings{}.width);
+  pixels(picture.settings.height, PictureSettings{}.height);
+  const auto count = [&j](auto& samples) {
+    if (samples >= 0 && samples <= kMaxPictureSamples) return;
+    j.found("number of samples not usable: changed");
+    if constexpr (!std::is_const_v<T>) samples = PictureSettings{}.samples;
+  };
+  count(picture.settings.samples);
+  count(picture.samples);
+  j.within(picture.settings.seconds, 0, 1e7, 0, "time not usable: changed");
+  if (const auto time = static_cast<double>(picture.made); time < kFirstTime || time > kLastTime) {
+    j.found("time not usable: changed");
+    if constexpr (!std::is_const_v<T>) picture.made = 0;
+  }
+}
+
 template <Is<Dimension> T>
 void rules(T& dimension, Judge& j) {
   if (!Judge::isPlace(dimension.start) || !Judge::isPlace(dimension.end))
@@ -355,6 +382,8 @@ void judge(Group& e, Judge& j) { rules(e, j); }
 void judge(const Group& e, Judge& j) { rules(e, j); }
 void judge(Camera& e, Judge& j) { rules(e, j); }
 void judge(const Camera& e, Judge& j) { rules(e, j); }
+void judge(Picture& e, Judge& j) { rules(e, j); }
+void judge(const Picture& e, Judge& j) { rules(e, j); }
 void judge(Dimension& e, Judge& j) { rules(e, j); }
 void judge(const Dimension& e, Judge& j) { rules(e, j); }
 void judge(Label& e, Judge& j) { rules(e, j); }

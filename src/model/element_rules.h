@@ -20,6 +20,8 @@ void judge(Group& group, Judge& judge);
 void judge(const Group& group, Judge& judge);
 void judge(Camera& camera, Judge& judge);
 void judge(const Camera& camera, Judge& judge);
+void judge(Picture& picture, Judge& judge);
+void judge(const Picture& picture, Judge& judge);
 void judge(Dimension& dimension, Judge& judge);
 void judge(const Dimension& dimension, Judge& judge);
 void judge(Label& label, Judge& judge);

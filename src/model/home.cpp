@@ -21,8 +21,9 @@ bool operator==(const Home& a, const Home& b) {
          a.wallHeight == b.wallHeight && a.site == b.site && a.environment == b.environment &&
          a.levels == b.levels && a.walls == b.walls && a.rooms == b.rooms && a.openings == b.openings &&
          a.furniture == b.furniture && a.groups == b.groups && a.cameras == b.cameras &&
-         a.dimensions == b.dimensions && a.labels == b.labels && a.polylines == b.polylines &&
-         a.backgrounds == b.backgrounds && a.properties == b.properties && a.nextId == b.nextId &&
+         a.pictures == b.pictures && a.dimensions == b.dimensions && a.labels == b.labels &&
+         a.polylines == b.polylines && a.backgrounds == b.backgrounds && a.properties == b.properties &&
+         a.nextId == b.nextId &&
          (a.assets == b.assets || (a.assets && b.assets && sameAssets(*a.assets, *b.assets)));
 }
 

@@ -15,6 +15,7 @@
 #include "model/ids.h"
 #include "model/level.h"
 #include "model/opening.h"
+#include "model/picture.h"
 #include "model/room.h"
 #include "model/site.h"
 #include "model/table.h"
@@ -55,6 +56,7 @@ struct Home {
   Table<DimensionId, Dimension> dimensions;
   Table<LabelId, Label> labels;
   Table<PolylineId, Polyline> polylines;
+  Table<PictureId, Picture> pictures;  // the gallery, in the order in which they were made
 
   std::map<LevelId, Background> backgrounds;  // LevelId{} for a home without levels
   std::map<std::string, std::string> properties;

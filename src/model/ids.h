@@ -15,5 +15,6 @@ using CameraId = Id<struct CameraTag>;
 using DimensionId = Id<struct DimensionTag>;
 using LabelId = Id<struct LabelTag>;
 using PolylineId = Id<struct PolylineTag>;
+using PictureId = Id<struct PictureTag>;
 
 }  // namespace idap

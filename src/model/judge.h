@@ -18,8 +18,10 @@ namespace idap {
 inline constexpr double kMaxCoordinate = 10'000;  // m
 inline constexpr double kMinSize = 1e-6;          // m
 inline constexpr std::size_t kMaxElements = 1'000'000;
-inline constexpr std::size_t kMaxPoints = 100'000;     // of one room or line
-inline constexpr std::size_t kMaxParts = 10'000;       // sashes, light sources, properties of one element
+inline constexpr std::size_t kMaxPoints = 100'000;  // of one room or line
+inline constexpr std::size_t kMaxParts = 10'000;    // sashes, light sources, properties of one element
+inline constexpr int kMaxPictureSide = 65'536;      // pixels
+inline constexpr int kMaxPictureSamples = 100'000'000;
 inline constexpr std::size_t kMaxTextBytes = 1 << 20;  // of one text
 
 template <class T, class U>

@@ -20,6 +20,7 @@ void forEachTable(F&& f) {
   f(&Home::dimensions, &HomeDiff::dimensions, "dimension");
   f(&Home::labels, &HomeDiff::labels, "label");
   f(&Home::polylines, &HomeDiff::polylines, "polyline");
+  f(&Home::pictures, &HomeDiff::pictures, "picture");
 }
 
 }  // namespace idap

@@ -64,11 +64,21 @@ TEST(Idap, EveryFieldComesBackExactly) {
 // Guards the list of fields: each member left at its default would hide that it is not stored.
 TEST(Idap, EveryFieldOfAFullHomeIsWritten) {
   const json full = json::parse(homeJsonOf(test::fullHome()));
-  const std::pair<const char*, std::size_t> members[] = {
-      {"/walls/0", 14}, {"/rooms/0", 16},     {"/openings/0", 27}, {"/furniture/0", 22},
-      {"/levels/0", 8}, {"/groups/1", 4},     {"/cameras/0", 8},   {"/dimensions/0", 10},
-      {"/labels/0", 8}, {"/polylines/0", 11}, {"/site", 8},        {"/environment", 4},
-      {"", 21}};
+  const std::pair<const char*, std::size_t> members[] = {{"/walls/0", 14},
+                                                         {"/rooms/0", 16},
+                                                         {"/openings/0", 27},
+                                                         {"/furniture/0", 22},
+                                                         {"/levels/0", 8},
+                                                         {"/groups/1", 4},
+                                                         {"/cameras/0", 8},
+                                                         {"/dimensions/0", 10},
+                                                         {"/labels/0", 8},
+                                                         {"/polylines/0", 11},
+                                                         {"/site", 8},
+                                                         {"/environment", 4},
+                                                         {"/pictures/0", 6},
+                                                         {"/pictures/0/settings", 8},
+                                                         {"", 22}};
   for (const auto& [place, count] : members)
     EXPECT_EQ(full.at(json::json_pointer(place)).size(), count) << place;
 }
@@ -282,6 +292,27 @@ TEST(Idap, StopsWhenAsked) {
   progress.cancel();
   EXPECT_THROW(writeIdap(Home{}, progress), Cancelled);
   EXPECT_THROW(readIdap(archiveOf("{\"version\": 2}"), "x", progress), Cancelled);
+}
+
+TEST(Idap, APictureWithoutItsFileIsDroppedWithAWord) {
+  const ReadResult result = readJson(R"({"version": 2, "nextId": 5, "pictures": [
+      {"id": 3, "name": "Lost", "asset": "pictures/3.png", "settings": {"width": 640, "height": 400}}]})");
+  EXPECT_TRUE(result.home.pictures.empty());
+  ASSERT_EQ(result.report.entries.size(), 1u);
+  EXPECT_THAT(result.report.entries[0].what, HasSubstr("missing"));
+}
+
+TEST(Idap, APictureOfImpossibleSizeIsMended) {
+  const ReadResult result =
+      readIdap(archiveOf(R"({"version": 2, "nextId": 5, "pictures": [{"id": 3, "asset": "pictures/3.png",
+          "settings": {"width": -4, "height": 2000000000, "samples": -1}}]})",
+                         {{"pictures/3.png", bytesOf("png")}}),
+               "test.idap", {});
+  ASSERT_EQ(result.home.pictures.size(), 1u);
+  const PictureSettings& settings = result.home.pictures.begin()->second->settings;
+  EXPECT_EQ(settings.width, PictureSettings{}.width);
+  EXPECT_EQ(settings.height, PictureSettings{}.height);
+  EXPECT_EQ(settings.samples, PictureSettings{}.samples);
 }
 
 }  // namespace

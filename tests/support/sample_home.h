@@ -159,12 +159,27 @@ inline Home fullHome() {
                                                         LineArrow::Open,
                                                         Color{0.3f, 0.6f, 0.9f},
                                                         0.9});
+  Picture picture;
+  picture.name = "By night";
+  picture.settings.view = Camera{"Bed", {1, 1, 1.5}, 0.3, 0.2, 1, Lens::Orthographic, 1'500'000'000'001};
+  picture.settings.fromAbove = true;
+  picture.settings.width = 320;
+  picture.settings.height = 200;
+  picture.settings.classic = true;
+  picture.settings.samples = 0;
+  picture.settings.seconds = 12.5;
+  picture.settings.lamps = PictureLamps::Off;
+  picture.made = 1'600'000'000'456;
+  picture.samples = 33;
+  picture.asset = "pictures/12.png";
+  home.pictures.set(home.newId<PictureId>(), picture);
   home.backgrounds = {{level, Background{"pictures/plan.png", 0.0123, {-1, -2}, false}}};
   home.properties = {{"key", "value"}};
   home.assets = std::make_shared<const Assets>(Assets{{"models/chair/chair.obj", bytesOf("v 0 0 0\n")},
                                                       {"models/chair/chair.mtl", bytesOf("newmtl a\n")},
                                                       {"textures/wood.jpg", bytesOf("wood")},
                                                       {"pictures/sky.jpg", bytesOf("sky")},
+                                                      {"pictures/12.png", bytesOf("night")},
                                                       {"pictures/plan.png", bytesOf("plan")}});
   home.nextId += 10;
   return home;

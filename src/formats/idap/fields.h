@@ -45,6 +45,10 @@ struct EnumNames<TextAlignment> {
   static constexpr auto kNames = std::to_array<std::string_view>({"left", "centre", "right"});
 };
 template <>
+struct EnumNames<PictureLamps> {
+  static constexpr auto kNames = std::to_array<std::string_view>({"home", "on", "off"});
+};
+template <>
 struct EnumNames<LineDash> {
   static constexpr auto kNames =
       std::to_array<std::string_view>({"solid", "dot", "dash", "dash-dot", "dash-dot-dot"});
@@ -199,6 +203,20 @@ void listFields(A& a, Of<Camera>) {
 }
 
 template <class A>
+void listFields(A& a, Of<PictureSettings>) {
+  using T = PictureSettings;
+  a("view", &T::view)("fromAbove", &T::fromAbove)("width", &T::width)("height", &T::height);
+  a("classic", &T::classic)("samples", &T::samples)("seconds", &T::seconds)("lamps", &T::lamps);
+}
+
+template <class A>
+void listFields(A& a, Of<Picture>) {
+  using T = Picture;
+  a("name", &T::name)("settings", &T::settings)("made", &T::made)("samples", &T::samples);
+  a("asset", &T::asset);
+}
+
+template <class A>
 void listFields(A& a, Of<Dimension>) {
   using T = Dimension;
   a("level", &T::level)("start", &T::start)("end", &T::end);
@@ -235,6 +253,7 @@ void listFields(A& a, Of<Home>) {
   a("levels", &T::levels)("groups", &T::groups)("walls", &T::walls)("rooms", &T::rooms);
   a("openings", &T::openings)("furniture", &T::furniture)("cameras", &T::cameras);
   a("dimensions", &T::dimensions)("labels", &T::labels)("polylines", &T::polylines);
+  a("pictures", &T::pictures);
   a("backgrounds", &T::backgrounds)("properties", &T::properties)("nextId", &T::nextId);
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "light/civil_time.h"
+#include "model/edits/picture_edits.h"
 #include "render/film/picture_file.h"
 #include "studio/picture/picture_canvas.h"
 #include "studio/picture/picture_worker.h"
@@ -25,6 +26,7 @@ namespace idap {
 namespace {
 
 constexpr int kGap = 6;
+constexpr CameraId kHere{~0ull};  // of the list: where the live view stands
 
 }  // namespace
 
@@ -47,7 +49,8 @@ struct PicturePanel::Impl {
   PictureWorker worker;
 
   CameraId chosen;
-  std::optional<Home> traced;  // what the picture shows
+  std::optional<Camera> place;  // of the live view; chosen is kHere
+  std::optional<Home> traced;   // what the picture shows
   int samples = 64;
   double seconds = 20;
   double secondsLeft = -1;
@@ -64,6 +67,7 @@ struct PicturePanel::Impl {
   void fitEmpty();
   void forget();
   const Camera* chosenCamera() const {
+    if (chosen == kHere) return place ? &*place : nullptr;
     return chosen == CameraId{} ? nullptr : editor.home().cameras.find(chosen);
   }
 };
@@ -181,6 +185,7 @@ void PicturePanel::Impl::listCameras() {
   const QSignalBlocker quiet(camera);
   camera->clear();
   camera->addItem(icon("level"), tr("From above"), qulonglong(0));
+  if (place) camera->addItem(icon("view-picture"), tr("Where the live view stands"), qulonglong(kHere.value));
   int number = 0;
   for (const auto& [id, view] : editor.home().cameras) {
     ++number;
@@ -252,6 +257,7 @@ void PicturePanel::Impl::fitEmpty() {
 void PicturePanel::Impl::forget() {
   canvas->setPicture({});
   traced.reset();
+  place.reset();
   chosen = {};
 }
 
@@ -316,6 +322,12 @@ void PicturePanel::setCamera(CameraId camera) {
   impl_->listCameras();
 }
 
+void PicturePanel::setPlace(const Camera& place) {
+  impl_->place = place;
+  impl_->chosen = kHere;
+  impl_->listCameras();
+}
+
 void PicturePanel::rayTrace() {
   Impl& d = *impl_;
   PictureRequest request;
@@ -347,7 +359,9 @@ void PicturePanel::stop() {
 
 bool PicturePanel::busy() const { return impl_->worker.busy(); }
 QImage PicturePanel::picture() const { return impl_->canvas->picture(); }
-bool PicturePanel::outdated() const { return impl_->traced && !(*impl_->traced == impl_->editor.home()); }
+bool PicturePanel::outdated() const {
+  return impl_->traced && !sameDesign(*impl_->traced, impl_->editor.home());
+}
 
 void PicturePanel::setQuality(int samples, double seconds) {
   impl_->samples = samples;

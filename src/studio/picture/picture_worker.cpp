@@ -16,7 +16,7 @@
 #include "render/film/develop.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
-#include "scene/scene_builder.h"
+#include "scene/cut_away.h"
 #include "studio/widgets/images.h"
 #include "studio/widgets/texts.h"
 
@@ -41,51 +41,95 @@ int threadsToUse() { return std::max(1, static_cast<int>(std::thread::hardware_c
 // What is asked for, and how the asker reaches it while it is made.
 struct Job {
   PictureRequest request;
-  std::function<void()> tick;  // now and then, from the tracing threads
-  Progress progress{[this](double, std::string_view) {
-    if (tick) tick();
-  }};
+  std::function<void()> tick;          // now and then, from the tracing threads
+  Progress progress;                   // of all of it: cancelled by stop()
   std::atomic<bool> discarded{false};  // nobody wants the picture any more
+  // What the end leaves.
+  std::shared_ptr<PictureFilm> film;
+  int samples = 0;
+
+  std::mutex mutex;
+  std::condition_variable resumed;
+  std::shared_ptr<Progress> slice;  // under mutex: what is being traced, to be broken off
+  bool paused = false;              // under mutex
+
+  // The next slice of tracing. Waits while paused.
+  std::shared_ptr<Progress> beginSlice() {
+    std::unique_lock lock(mutex);
+    resumed.wait(lock, [this] { return !paused || progress.cancelled(); });
+    slice = std::make_shared<Progress>([this](double, std::string_view) {
+      if (tick) tick();
+    });
+    if (progress.cancelled()) slice->cancel();
+    return slice;
+  }
+  void pause(bool hold) {
+    const std::lock_guard lock(mutex);
+    paused = hold;
+    if (hold && slice) slice->cancel();
+    resumed.notify_all();
+  }
+  void stop() {
+    const std::lock_guard lock(mutex);
+    progress.cancel();
+    if (slice) slice->cancel();
+    resumed.notify_all();
+  }
 };
 
 // One picture from home to pixels, on the worker's thread.
-class Picture {
+class Tracing {
  public:
   struct Report {
     std::function<void(QImage)> pictured;
     std::function<void(double, double)> progressed;
   };
 
-  Picture(Job& job, render::Denoiser& denoiser, Report report)
+  Tracing(Job& job, render::Denoiser& denoiser, Report report)
       : job_(job),
         request_(job.request),
         denoiser_(denoiser),
         report_(std::move(report)),
         aspect_(static_cast<double>(request_.width) / request_.height),
-        film_(request_.width, request_.height) {}
+        made_(std::make_shared<PictureFilm>(PictureFilm{{request_.width, request_.height}, {}})),
+        film_(made_->film) {}
 
   void make() {
     report_.progressed(0, -1);
     build();
     showCoarse();
     refine();
+    job_.samples = film_.samples;
+    made_->lightGroups = built_.scene->lightGroups;
+    if (!request_.classic) job_.film = made_;
   }
 
  private:
   void build() {
-    BuildOptions options;
-    options.ceilings = request_.camera.has_value();
     const Camera camera = request_.camera ? *request_.camera : topCamera(request_.home, aspect_);
-    options.time = camera.time;
+    // Somebody outside sees in, as in the live view.
+    const bool outside = isOutside(request_.home, camera.eye);
+    BuildOptions options;
+    options.ceilings = request_.camera.has_value() && !outside;
+    options.time = request_.camera ? camera.time : request_.time;
+    options.lamps = request_.lamps;
     built_ = buildScene(request_.home, *request_.catalog, options, job_.progress);
-    scene_.emplace(built_.scene, threadsToUse());
+    scene_.emplace(built_.scene, threads_);
     job_.progress.check();
+    if (outside && request_.camera) {
+      for (const std::uint32_t i : hiddenFrom(built_, camera.eye, CutAway::ByView))
+        scene_->setVisibleToCamera(i, false);
+      scene_->commit();
+    }
     view_ = toRenderCamera(camera, built_, aspect_);
     settings_.width = request_.width;
     settings_.height = request_.height;
     settings_.spp = request_.samples;
-    settings_.threads = threadsToUse();
-    settings_.clampIndirect = render::clampFor(render::pilotExposure(*scene_, view_, settings_));
+    settings_.threads = threads_;
+    if (request_.classic)
+      settings_.integrator = render::IntegratorKind::Classic;
+    else
+      settings_.clampIndirect = render::clampFor(render::pilotExposure(*scene_, view_, settings_));
     job_.progress.check();
   }
 
@@ -106,19 +150,22 @@ class Picture {
   void refine() {
     job_.tick = [this] { tell(); };
     double slice = kFirstSlice, shownAt = 0;
+    const bool timed = request_.seconds > 0;
     for (bool last = false; !last && !job_.progress.cancelled(); slice *= 2) {
-      const double left = request_.seconds - traced_;
+      const double left = timed ? request_.seconds - traced_ : 1e300;
       // The last slice takes the rest rather than leave a crumb.
       settings_.timeLimitSeconds = slice * 1.5 > left ? left : slice;
+      const std::shared_ptr<Progress> progress = job_.beginSlice();
       begun_ = Clock::now();
-      render::render(*scene_, view_, settings_, film_, job_.progress);
+      render::render(*scene_, view_, settings_, film_, *progress);
       traced_ += secondsSince(*begun_);
       begun_.reset();
       samples_ = film_.samples;
       const bool covered = film_.samples >= 1;
       // A slow machine goes on until every pixel has been looked at once.
-      if (!covered && traced_ >= request_.seconds) request_.seconds = 2 * traced_;
-      last = traced_ >= request_.seconds - 0.05 || film_.samples >= request_.samples;
+      if (timed && !covered && traced_ >= request_.seconds) request_.seconds = 2 * traced_;
+      last = (timed && traced_ >= request_.seconds - 0.05) ||
+             (request_.samples > 0 && film_.samples >= request_.samples);
       if (!covered || job_.progress.cancelled()) continue;
       show(film_, !last);
       shownAt = traced_;
@@ -132,15 +179,19 @@ class Picture {
     if (!lock || !begun_ || (told_ && secondsSince(*told_) < 0.2)) return;
     told_ = Clock::now();
     const double done = traced_ + secondsSince(*begun_);
-    double total = request_.seconds;
-    if (samples_ > 0) total = std::min(total, traced_ * request_.samples / samples_);
+    double total = request_.seconds > 0 ? request_.seconds : 1e300;
+    if (samples_ > 0 && request_.samples > 0) total = std::min(total, traced_ * request_.samples / samples_);
     total = std::max(total, done);
-    report_.progressed(done / total, total - done);
+    report_.progressed(total < 1e299 ? done / total : 0, total < 1e299 ? total - done : -1);
   }
 
   void show(const render::Film& film, bool fast) {
     if (job_.discarded) return;
-    const render::DevelopSettings settings{.fastDenoise = fast, .threads = threadsToUse()};
+    render::DevelopSettings settings{.fastDenoise = fast, .threads = threads_};
+    if (request_.classic) {
+      settings.toneMap = render::ToneMap::Classic;
+      settings.denoise = false;
+    }
     QImage image = toQImage(render::develop(film, settings, &denoiser_));
     if (!job_.discarded) report_.pictured(std::move(image));
   }
@@ -150,7 +201,9 @@ class Picture {
   render::Denoiser& denoiser_;
   Report report_;
   double aspect_;
-  render::Film film_;
+  int threads_ = request_.allProcessors ? 0 : threadsToUse();
+  std::shared_ptr<PictureFilm> made_;
+  render::Film& film_;
   BuiltScene built_;
   std::optional<render::CompiledScene> scene_;
   render::Camera view_;
@@ -165,7 +218,9 @@ class Picture {
 
 struct PictureWorker::Impl {
   PictureWorker& worker;
-  std::shared_ptr<Job> current;  // GUI thread: being made or waiting
+  std::shared_ptr<Job> current;             // GUI thread: being made or waiting
+  std::shared_ptr<const PictureFilm> film;  // of the last finished one
+  int samples = 0;
   std::mutex mutex;
   std::condition_variable wake;
   std::shared_ptr<Job> waiting;  // under mutex
@@ -192,7 +247,7 @@ struct PictureWorker::Impl {
   void run(const std::shared_ptr<Job>& job, render::Denoiser& denoiser) {
     QString trouble;
     try {
-      Picture(*job, denoiser,
+      Tracing(*job, denoiser,
               {.pictured =
                    [&](QImage image) {
                      tell(job, [image = std::move(image)](PictureWorker& w) { emit w.pictured(image); });
@@ -206,8 +261,10 @@ struct PictureWorker::Impl {
     } catch (const std::exception& error) {
       trouble = toQt(error.what());
     }
-    tell(job, [this, trouble](PictureWorker& w) {
+    tell(job, [this, job, trouble](PictureWorker& w) {
       current = nullptr;
+      film = job->film;
+      samples = job->samples;
       if (!trouble.isEmpty()) emit w.failed(trouble);
       emit w.finished();
     });
@@ -227,7 +284,7 @@ struct PictureWorker::Impl {
   void discard() {
     if (!current) return;
     current->discarded = true;
-    current->progress.cancel();
+    current->stop();
     current = nullptr;
   }
 };
@@ -258,8 +315,21 @@ void PictureWorker::start(PictureRequest request) {
 }
 
 void PictureWorker::stop() {
-  if (impl_->current) impl_->current->progress.cancel();
+  if (impl_->current) impl_->current->stop();
 }
+
+void PictureWorker::pause(bool paused) {
+  if (impl_->current) impl_->current->pause(paused);
+}
+
+bool PictureWorker::paused() const {
+  if (!impl_->current) return false;
+  const std::lock_guard lock(impl_->current->mutex);
+  return impl_->current->paused;
+}
+
+std::shared_ptr<const PictureFilm> PictureWorker::film() const { return impl_->film; }
+int PictureWorker::samples() const { return impl_->samples; }
 
 bool PictureWorker::busy() const { return impl_->current != nullptr; }
 

@@ -9,16 +9,29 @@
 
 #include "catalog/catalog.h"
 #include "model/home.h"
+#include "render/film/film.h"
+#include "scene/scene_builder.h"
 
 namespace idap {
 
 struct PictureRequest {
   Home home;  // a snapshot
   std::shared_ptr<const Catalog> catalog;
-  std::optional<Camera> camera;  // none: from above, without ceilings
+  std::optional<Camera> camera;      // none: from above, without ceilings
+  std::optional<std::int64_t> time;  // of a picture from above; none: the home's
   int width = 640, height = 480;
-  int samples = 64;     // a pixel; whichever comes first
-  double seconds = 20;  // of tracing
+  int samples = 64;     // a pixel; 0: by time only
+  double seconds = 20;  // of tracing; 0: by samples only. Whichever comes first
+  LampPolicy lamps = LampPolicy::Auto;
+  bool classic = false;  // the shading of 1993
+  // All processors, for pictures that somebody waits for; else one is left to the window.
+  bool allProcessors = false;
+};
+
+// What a picture was made of, for files that keep its light.
+struct PictureFilm {
+  render::Film film;
+  std::vector<std::string> lightGroups;
 };
 
 // Belongs to the GUI thread; so do its signals.
@@ -30,6 +43,11 @@ class PictureWorker : public QObject {
 
   void start(PictureRequest request);  // in place of the picture being made, of which no more is heard
   void stop();                         // what there is stays, and is shown at its best
+  void pause(bool paused);             // holds still; what was traced so far stays
+  bool paused() const;
+  // Of the picture that was finished last; null before, and for classic ones.
+  std::shared_ptr<const PictureFilm> film() const;
+  int samples() const;  // a pixel, of the picture that was finished last
   bool busy() const;
 
  signals:

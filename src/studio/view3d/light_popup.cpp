@@ -11,8 +11,8 @@
 #include <cmath>
 #include <utility>
 
-#include "studio/view3d/home_clock.h"
 #include "studio/view3d/view3d.h"
+#include "studio/widgets/home_clock.h"
 #include "studio/widgets/slider_field.h"
 #include "studio/widgets/texts.h"
 

@@ -6,9 +6,9 @@
 #include <QTime>
 #include <QToolButton>
 
-#include "studio/view3d/home_clock.h"
 #include "studio/view3d/light_popup.h"
 #include "studio/view3d/view3d.h"
+#include "studio/widgets/home_clock.h"
 #include "studio/widgets/icons.h"
 #include "studio/widgets/texts.h"
 

@@ -42,6 +42,7 @@ MainWindow::MainWindow(std::shared_ptr<StudioShared> shared, QWidget* parent)
     : QMainWindow(parent), impl_(std::make_unique<Impl>(this, std::move(shared))) {}
 
 MainWindow::~MainWindow() {
+  delete impl_->pictures;
   // The widgets listen to the editor, which goes with impl_: they go before it.
   impl_->editor.unsubscribe(impl_->subscription);
   if (isVisible() && impl_->homeShown) impl_->keepLayout();  // hidden, all panels count as closed
@@ -272,6 +273,7 @@ void MainWindow::Impl::connectParts() {
   });
   QObject::connect(cameras, &CameraList::pictureRequested, w, [this] {
     views->picture().setCamera(cameras->current());
+    views->showPicture(true);
     rayTrace();
   });
   QObject::connect(messages, &MessageList::unseen, w, [this](int warnings) {
@@ -344,6 +346,7 @@ void MainWindow::Impl::showHome(bool open) {
     views->current().setFocus(Qt::OtherFocusReason);
   } else {
     for (QDockWidget* dock : {catalogDock, propertyDock, listDock}) dock->hide();
+    if (pictures) pictures->hide();
     welcome->focusFirst();
   }
   retitle();

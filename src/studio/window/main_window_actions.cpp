@@ -238,6 +238,12 @@ void MainWindow::Impl::makeViewActions() {
        QT_TRANSLATE_NOOP("idap", "Makes the picture of the chosen point of view, while you go on working"),
        "F5", QT_TRANSLATE_NOOP("idap", "Ray Trace")},
       [this] { rayTrace(); }));
+  ofHome(actions->add(
+      {"pictures", QT_TRANSLATE_NOOP("idap", "Pict&ures and gallery…"),
+       QT_TRANSLATE_NOOP("idap",
+                         "Makes pictures of any size, one or many at once, and keeps them in the home"),
+       "F7"},
+      [this] { showPictures(); }));
   const auto panel = [&](const ActionText& text, QDockWidget* dock) {
     QAction* action = ofHome(actions->addSwitch(text, [dock](bool on) { dock->setVisible(on); }));
     actions->checkBy(action, [dock] { return !dock->isHidden(); });
@@ -338,8 +344,8 @@ void MainWindow::Impl::makeMenus() {
 
   QMenu* view = menu(QT_TRANSLATE_NOOP("idap", "&View"));
   add(view, {"zoom-in", "zoom-out", "zoom-fit", "zoom-selection", "", "view-all", "view-xy", "view-xz",
-             "view-yz", "view-picture", "maximise", "", "ray-trace", "", "panel-catalog", "panel-properties",
-             "panel-lists", ""});
+             "view-yz", "view-picture", "maximise", "", "ray-trace", "pictures", "", "panel-catalog",
+             "panel-properties", "panel-lists", ""});
   addCommands(view, Menu::View);
 
   add(menu(QT_TRANSLATE_NOOP("idap", "&Help")), {"keys", "about"});
@@ -487,8 +493,20 @@ void MainWindow::Impl::erase() {
 
 void MainWindow::Impl::rayTrace() {
   if (views->maximised() != ViewArea::kAll && views->maximised() != 3) views->maximise(ViewArea::kAll);
+  // What the live view shows is what one wants a picture of.
+  if (!views->pictureShown()) views->picture().setPlace(views->live().view().camera());
   views->showPicture(true);
   views->picture().rayTrace();
+}
+
+void MainWindow::Impl::showPictures() {
+  if (!pictures) {
+    pictures = new PictureWindow(editor, w);
+    pictures->form().setLiveCamera([this] { return views->live().view().camera(); });
+  }
+  pictures->show();
+  pictures->raise();
+  pictures->activateWindow();
 }
 
 }  // namespace idap

@@ -16,10 +16,13 @@
 #include "studio/lists/camera_list.h"
 #include "studio/lists/furniture_list.h"
 #include "studio/lists/message_list.h"
+#include "studio/picture/picture_form.h"
 #include "studio/picture/picture_panel.h"
+#include "studio/picture/picture_window.h"
 #include "studio/plan/plan_view.h"
 #include "studio/properties/property_panel.h"
 #include "studio/view3d/live_panel.h"
+#include "studio/view3d/view3d.h"
 #include "studio/window/file_flow.h"
 #include "studio/window/hint_line.h"
 #include "studio/window/job_indicator.h"
@@ -71,6 +74,7 @@ struct MainWindow::Impl {
   void exportCsv();
   void erase();
   void rayTrace();
+  void showPictures();
 
   MainWindow* w;
   std::shared_ptr<StudioShared> shared;
@@ -94,6 +98,7 @@ struct MainWindow::Impl {
   FurnitureList* furniture = nullptr;
   CameraList* cameras = nullptr;
   MessageList* messages = nullptr;
+  PictureWindow* pictures = nullptr;  // null until it is first asked for
   QToolBar *commandBar = nullptr, *toolBar = nullptr;
   QLabel *pointerLabel = nullptr, *selectionLabel = nullptr, *zoomLabel = nullptr;
   JobIndicator* jobs = nullptr;

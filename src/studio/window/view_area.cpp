@@ -85,6 +85,7 @@ void ViewArea::maximise(int index) {
   emit maximisedChanged(index);
 }
 
+bool ViewArea::pictureShown() const { return seen_->currentIndex() == 1; }
 void ViewArea::showPicture(bool picture) { seen_->setCurrentIndex(picture ? 1 : 0); }
 
 void ViewArea::toggle(int index) { maximise(maximised_ == kAll ? index : kAll); }

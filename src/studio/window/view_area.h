@@ -26,6 +26,7 @@ class ViewArea : public QWidget {
   PlanView& plan(Plane plane) const { return *plans_[std::size_t(plane)]; }
   LivePanel& live() const { return *live_; }
   PicturePanel& picture() const { return *picture_; }
+  bool pictureShown() const;
   void showPicture(bool picture);  // in the live view's place, or the live view again
   QWidget* view(int index) const;
 

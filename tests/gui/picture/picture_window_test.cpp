@@ -1,0 +1,215 @@
+// The picture window with real mouse and key events.
+#include "studio/picture/picture_window.h"
+
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QMenu>
+#include <QProgressBar>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "formats/registry.h"
+#include "gui/support/gui_support.h"
+#include "studio/picture/compare_view.h"
+#include "studio/picture/picture_form.h"
+#include "studio/picture/picture_queue.h"
+
+namespace idap {
+namespace {
+
+using test::shoot;
+using test::waitFor;
+
+constexpr int kLong = 60'000;  // ms: for a machine under load
+
+class PictureWindowTest : public testing::Test {
+ protected:
+  PictureWindowTest() : editor(std::make_shared<const Catalog>(std::vector<std::filesystem::path>{})) {
+    Home home = readHome(std::filesystem::path(IDAP_SOURCE_DIR) / "share/templates/bathroom.idap").home;
+    home.cameras = {};
+    Camera camera;
+    camera.name = "Door";
+    camera.eye = {0.5, 0.5, 1.5};
+    camera.yaw = -0.7;
+    home.cameras.set(home.newId<CameraId>(), camera);
+    editor.open(std::make_unique<Document>(home));
+    window = std::make_unique<PictureWindow>(editor);
+    window->show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    smallAndQuick();
+  }
+  template <class W>
+  W* part(const char* name) {
+    W* found = window->findChild<W*>(QLatin1String(name));
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+  void type(QSpinBox* box, int value) {
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QString::number(value));
+    QTest::keyClick(box, Qt::Key_Tab);
+  }
+  void smallAndQuick() {
+    type(part<QSpinBox>("pictureWidth"), 48);
+    type(part<QSpinBox>("pictureHeight"), 32);
+    auto* quality = part<QComboBox>("pictureQuality");
+    quality->setFocus();
+    QTest::keyClick(quality, Qt::Key_Home);
+  }
+  // Ticks or unticks by the mouse on the box.
+  void tick(int row) {
+    auto* views = part<QListWidget>("pictureViews");
+    const QRect item = views->visualItemRect(views->item(row));
+    QTest::mouseClick(views->viewport(), Qt::LeftButton, {}, QPoint(item.left() + 10, item.center().y()));
+  }
+  void press(const char* name) { QTest::mouseClick(part<QWidget>(name), Qt::LeftButton); }
+  bool done() {
+    return waitFor([this] { return window->queue().jobs().empty(); }, kLong);
+  }
+
+  Editor editor;
+  std::unique_ptr<PictureWindow> window;
+};
+
+TEST_F(PictureWindowTest, EveryTickedPointOfViewBecomesAPictureOfTheGallery) {
+  auto* views = part<QListWidget>("pictureViews");
+  ASSERT_EQ(views->count(), 2);
+  EXPECT_EQ(views->item(0)->checkState(), Qt::Checked);
+  tick(1);
+  EXPECT_EQ(part<QPushButton>("pictureBegin")->text(), "Ray Trace 2 pictures");
+  press("pictureBegin");
+  EXPECT_EQ(window->queue().jobs().size(), 2u);
+  ASSERT_TRUE(done());
+  ASSERT_EQ(editor.home().pictures.size(), 2u);
+  EXPECT_EQ(part<QListWidget>("gallery")->count(), 2);
+  const auto& [id, picture] = *editor.home().pictures.begin();
+  EXPECT_EQ(picture->name, "From above");
+  EXPECT_EQ(picture->settings.width, 48);
+  EXPECT_GE(picture->samples, 1);
+  EXPECT_TRUE(editor.document().modified());
+  EXPECT_FALSE(editor.document().canUndo());
+  EXPECT_EQ(part<CompareView>("pictureView")->picture().size(), QSize(48, 32));
+  shoot(*window, "picture_window");
+}
+
+TEST_F(PictureWindowTest, PicturesComeBackWithTheFile) {
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  QTemporaryDir folder;
+  const std::filesystem::path file = folder.path().toStdString() + "/home.idap";
+  writeHome(editor.home(), file);
+  editor.open(std::make_unique<Document>(readHome(file).home));
+  auto* gallery = part<QListWidget>("gallery");
+  ASSERT_EQ(gallery->count(), 1);
+  QTest::mouseClick(gallery->viewport(), Qt::LeftButton, {},
+                    gallery->visualItemRect(gallery->item(0)).center());
+  EXPECT_EQ(part<CompareView>("pictureView")->picture().size(), QSize(48, 32));
+}
+
+TEST_F(PictureWindowTest, WithNothingTickedItSaysWhy) {
+  tick(0);
+  EXPECT_FALSE(part<QPushButton>("pictureBegin")->isEnabled());
+  EXPECT_FALSE(part<QLabel>("pictureTrouble")->text().isEmpty());
+}
+
+TEST_F(PictureWindowTest, ProportionsHoldWhileAWidthIsTyped) {
+  auto* proportion = part<QComboBox>("pictureProportion");
+  proportion->setFocus();
+  QTest::keyClicks(proportion, "16:9");
+  type(part<QSpinBox>("pictureWidth"), 320);
+  EXPECT_EQ(part<QSpinBox>("pictureHeight")->value(), 180);
+}
+
+TEST_F(PictureWindowTest, MadeAgainAfterAChangeTheTwoAreComparedByADivider) {
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  ASSERT_TRUE(editor.apply("Repaint", [](const Home& before) {
+    Home home = before;
+    for (const auto& [id, room] : before.rooms) {
+      Room red = *room;
+      red.floor = plain(Color{1, 0, 0});
+      home.rooms.set(id, red);
+    }
+    return home;
+  }));
+  press("makeAgain");
+  ASSERT_TRUE(done());
+  ASSERT_EQ(editor.home().pictures.size(), 2u);
+  auto* view = part<CompareView>("pictureView");
+  ASSERT_TRUE(view->comparing());
+  QTest::mousePress(view, Qt::LeftButton, {}, view->rect().center());
+  QTest::mouseMove(view, view->rect().center() + QPoint(view->width() / 8, 0));
+  QTest::mouseRelease(view, Qt::LeftButton, {}, view->rect().center() + QPoint(view->width() / 8, 0));
+  EXPECT_GT(view->divider(), 0.55);
+  const double before = view->divider();
+  QTest::keyClick(view, Qt::Key_Left);
+  EXPECT_LT(view->divider(), before);
+  shoot(*window, "picture_compare");
+}
+
+TEST_F(PictureWindowTest, StopKeepsWhatThereIsAndAPauseHoldsStill) {
+  auto* quality = part<QComboBox>("pictureQuality");
+  quality->setFocus();
+  QTest::keyClick(quality, Qt::Key_End);  // by time
+  type(part<QSpinBox>("pictureSeconds"), 600);
+  press("pictureBegin");
+  ASSERT_TRUE(waitFor([this] { return !window->queue().jobs().front().preview.isNull(); }, kLong));
+  QTest::mouseClick(part<QToolButton>("jobPause"), Qt::LeftButton);
+  EXPECT_EQ(window->queue().jobs().front().state, PictureQueue::Job::State::Paused);
+  QTest::mouseClick(part<QToolButton>("jobPause"), Qt::LeftButton);
+  EXPECT_EQ(window->queue().jobs().front().state, PictureQueue::Job::State::Tracing);
+  QTest::mouseClick(part<QToolButton>("jobKeep"), Qt::LeftButton);
+  ASSERT_TRUE(done());
+  EXPECT_EQ(editor.home().pictures.size(), 1u);
+}
+
+TEST_F(PictureWindowTest, GivenUpAPictureLeavesNothing) {
+  auto* quality = part<QComboBox>("pictureQuality");
+  quality->setFocus();
+  QTest::keyClick(quality, Qt::Key_End);
+  press("pictureBegin");
+  ASSERT_TRUE(waitFor([this] { return !window->findChildren<QToolButton*>("jobRemove").empty(); }));
+  QTest::mouseClick(part<QToolButton>("jobRemove"), Qt::LeftButton);
+  ASSERT_TRUE(done());
+  EXPECT_TRUE(editor.home().pictures.empty());
+}
+
+TEST_F(PictureWindowTest, ADeletedPictureComesBackWithUndo) {
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  press("removePicture");
+  EXPECT_TRUE(editor.home().pictures.empty());
+  editor.undo();
+  EXPECT_EQ(editor.home().pictures.size(), 1u);
+}
+
+TEST_F(PictureWindowTest, TheClassicLookIsOf1993sSize) {
+  auto* look = part<QComboBox>("pictureLook");
+  look->setFocus();
+  QTest::keyClick(look, Qt::Key_End);
+  EXPECT_EQ(part<QSpinBox>("pictureWidth")->value(), 320);
+  EXPECT_EQ(part<QSpinBox>("pictureHeight")->value(), 200);
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  EXPECT_TRUE(editor.home().pictures.begin()->second->settings.classic);
+}
+
+TEST_F(PictureWindowTest, AGalleryPictureIsSavedAsEveryKind) {
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  const PictureId id = editor.home().pictures.begin()->first;
+  QTemporaryDir folder;
+  for (const char* extension : {"png", "jpg", "pcx", "gif", "exr"}) {
+    const QString file = folder.path() + "/picture." + extension;
+    window->savePicture(id, file);
+    EXPECT_TRUE(waitFor([&] { return QFile::exists(file) && QFileInfo(file).size() > 100; })) << extension;
+  }
+}
+
+}  // namespace
+}  // namespace idap
