@@ -3,10 +3,13 @@
 #include <QCommandLineParser>
 #include <QTimer>
 #include <cstdio>
+#include <cstring>
 
 #include "base/log.h"
 #include "base/platform.h"
+#include "studio/print/print_command.h"
 #include "studio/widgets/icons.h"
+#include "studio/window/language.h"
 #include "studio/window/main_window.h"
 
 namespace {
@@ -23,9 +26,20 @@ void measureStart() {
 
 }  // namespace
 
+// `idap print` becomes this program without a window.
+int printWithoutWindow(int argc, char** argv) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  QApplication application(argc, argv);
+  const QStringList arguments = QApplication::arguments().mid(2);
+  const qsizetype language = arguments.indexOf(QStringLiteral("--language"));
+  idap::applyLanguage(language >= 0 ? arguments.value(language + 1) : QStringLiteral("en"));
+  return idap::runPrintCommand(arguments);
+}
+
 int main(int argc, char** argv) {
   idap::setUpProcess();
   idap::setUpLogging();
+  if (argc > 1 && std::strcmp(argv[1], "--print-job") == 0) return printWithoutWindow(argc, argv);
   if (!idap::hasDisplay()) {  // where Qt would end the program by a signal
     std::fputs(
         "idap: there is no display to open the studio on; 'idap render FILE -o picture.png' needs none\n",

@@ -63,6 +63,7 @@ void PictureWindow::Impl::build() {
   facts = new QLabel;
   facts->setForegroundRole(QPalette::PlaceholderText);
   facts->setMinimumWidth(1);
+  facts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   save = toolButton("save", "savePicture", &window);
   copy = toolButton("copy", "copyPicture", &window);
   again = toolButton("refresh", "makeAgain", &window);
@@ -70,7 +71,7 @@ void PictureWindow::Impl::build() {
   rename = toolButton("text", "renamePicture", &window);
   remove = toolButton("delete", "removePicture", &window);
   auto* bar = new QHBoxLayout;
-  bar->addWidget(facts, 1);
+  bar->addStretch();
   for (QToolButton* button : {again, compare, save, copy, rename, remove}) {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addWidget(button);
@@ -80,7 +81,10 @@ void PictureWindow::Impl::build() {
   column->addWidget(view, 1);
   column->addLayout(bar);
   column->addWidget(jobs);
-  column->addWidget(galleryTitle);
+  auto* titleRow = new QHBoxLayout;
+  titleRow->addWidget(galleryTitle);
+  titleRow->addWidget(facts, 1);
+  column->addLayout(titleRow);
   column->addWidget(gallery);
   auto* splitter = new QSplitter(&window);
   splitter->addWidget(form);

@@ -19,6 +19,8 @@ Drawing PlanScene::drawing() const {
   return {editor_.home(), plane_, editor_.level(), editor_.settings(), pieces_, *pictures_, section_};
 }
 
+void PlanScene::cutBefore() { section_ = 1e9; }
+
 void PlanScene::rebuild() {
   section_ = plane_ == Plane::XY ? 0 : sectionNearness(editor_.home(), editor_.level(), plane_);
   pieces_.rebuild(editor_.home(), editor_.level(), *pictures_);

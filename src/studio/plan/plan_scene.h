@@ -25,6 +25,8 @@ class PlanScene {
   PieceItems& pieces() { return pieces_; }
   Drawing drawing() const;
 
+  // Cuts the building before all there is, so that nothing is shown as cut: of elevations.
+  void cutBefore();
   void rebuild();  // another document or level
   // The home changed: what has to be painted anew.
   DirtyBoxes update(const Home& before, const Home& after);

@@ -1,15 +1,17 @@
-// The Print command: a plane to scale, on paper or into a PDF, with the page shown before it is printed.
+// The Print command: plans, elevations, lists and pictures to scale, on paper or into PDF and SVG files, with
+// the pages shown before they are printed.
 #pragma once
 
 #include <QDialog>
 #include <memory>
 
 #include "editor/editor.h"
-#include "studio/plan/print_plan.h"
+#include "studio/print/print_job.h"
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QListWidget;
 class QPrintPreviewWidget;
 class QPrinter;
 class QPushButton;
@@ -22,26 +24,30 @@ class PrintDialog : public QDialog {
   explicit PrintDialog(Editor& editor, QWidget* parent = nullptr);
   ~PrintDialog() override;
 
+  PrintJob job() const;
   void writePdf(const QString& file);
+  void writeSvg(const QString& file);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
-  PrintSettings settings() const;
   void setUpPage();
   void refresh();
   void retranslate();
   void print();
-  void choosePdf();
+  void chooseFile(bool pdf);
+  void write(const QString& file, bool pdf);
 
   Editor& editor_;
   std::unique_ptr<QPrinter> printer_;
-  QComboBox *plane_, *scale_, *paper_, *orientation_;
-  QCheckBox* title_;
-  QLabel *planeLabel_, *scaleLabel_, *paperLabel_, *orientationLabel_, *fits_;
+  QListWidget* sheets_;
+  QComboBox *scale_, *paper_, *orientation_;
+  QCheckBox *title_, *allLevels_;
+  QLabel *sheetsLabel_, *scaleLabel_, *paperLabel_, *orientationLabel_, *fits_;
   QPrintPreviewWidget* preview_;
-  QPushButton *print_, *pdf_, *close_;
+  QPushButton *print_, *pdf_, *svg_, *close_;
+  std::vector<PrintPage> pages_;
 };
 
 }  // namespace idap
