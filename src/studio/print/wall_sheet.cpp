@@ -80,9 +80,7 @@ std::optional<WallView> wallView(const SheetContext& context, const Room& room, 
   const double turn = std::atan2(-1.0, 0.0) - std::atan2(inward.y, inward.x);
   part = turnElements(part, allElements(part), a, turn);
   WallView view;
-  LevelId level;
-  for (const auto& [id, any] : part.levels) level = id;
-  view.editor = context.editorOf(part, level);
+  view.editor = context.editorOf(part, part.walls.begin()->second->level);
   view.scene = std::make_shared<PlanScene>(*view.editor, Plane::XZ);
   view.scene->cutBefore();
   view.scene->completeSymbols();
@@ -138,6 +136,31 @@ void paintView(QPainter& p, const QRectF& area, const Placed& placed, LengthUnit
   p.restore();
 }
 
+// Row by row, as words are set; a view too wide for the page is drawn smaller.
+std::vector<std::vector<Placed>> setInRows(const std::vector<WallView>& views, double scale, QSizeF room) {
+  const QSizeF free = room - QSizeF(2 * kAround, kAround + kName + 8);
+  std::vector<std::vector<Placed>> sheets(1);
+  double x = 0, y = 0, rowHeight = 0;
+  for (const WallView& v : views) {
+    Placed placed;
+    const Vec2 metres = v.box.max - v.box.min;
+    placed.scale = std::min(scale, fittingScale(metres, free));
+    const QSizeF size = QSizeF(metres.x, metres.y) * 1000 * placed.scale;
+    const QSizeF whole = size + QSizeF(2 * kAround, kAround + kName + 8);
+    if (x > 0 && x + whole.width() > room.width() + 0.01) x = 0, y += rowHeight, rowHeight = 0;
+    if (y > 0 && y + whole.height() > room.height() + 0.01) {
+      sheets.emplace_back();
+      x = y = rowHeight = 0;
+    }
+    placed.box = QRectF(QPointF(x + kAround, y + 6), size);
+    x += whole.width();
+    rowHeight = std::max(rowHeight, whole.height());
+    placed.view = v;
+    sheets.back().push_back(std::move(placed));
+  }
+  return sheets;
+}
+
 }  // namespace
 
 std::vector<PrintPage> wallSheets(const SheetContext& context) {
@@ -155,34 +178,16 @@ std::vector<PrintPage> wallSheets(const SheetContext& context) {
       views.push_back(std::move(*view));
     }
     if (views.empty()) continue;
-    const QSizeF free = context.room - QSizeF(2 * kAround, kAround + kName + 8);
-    double scale = context.job.scale;
-    if (!(scale > 0)) {
-      scale = 1.0 / 20;
-      for (const WallView& v : views) {
-        const Vec2 metres = v.box.max - v.box.min;
-        scale = std::min(scale, fittingScale(metres, free));
+    const double wanted = context.job.scale;
+    std::vector<std::vector<Placed>> sheets;
+    if (wanted > 0) {
+      sheets = setInRows(views, wanted, context.room);
+    } else {
+      // As large as lets all walls of the room stand on one page.
+      for (const double scale : {1.0 / 20, 1.0 / 25, 1.0 / 50}) {
+        sheets = setInRows(views, scale, context.room);
+        if (sheets.size() == 1) break;
       }
-    }
-    // Row by row, as words are set.
-    std::vector<std::vector<Placed>> sheets(1);
-    double x = 0, y = 0, rowHeight = 0;
-    for (WallView& v : views) {
-      Placed placed;
-      const Vec2 metres = v.box.max - v.box.min;
-      placed.scale = std::min(scale, std::max(fittingScale(metres, free), 1e-9));
-      const QSizeF size = QSizeF(metres.x, metres.y) * 1000 * placed.scale;
-      const QSizeF whole = size + QSizeF(2 * kAround, kAround + kName + 8);
-      if (x > 0 && x + whole.width() > context.room.width() + 0.01) x = 0, y += rowHeight, rowHeight = 0;
-      if (y > 0 && y + whole.height() > context.room.height() + 0.01) {
-        sheets.emplace_back();
-        x = y = rowHeight = 0;
-      }
-      placed.box = QRectF(QPointF(x + kAround, y + 6), size);
-      x += whole.width();
-      rowHeight = std::max(rowHeight, whole.height());
-      placed.view = std::move(v);
-      sheets.back().push_back(std::move(placed));
     }
     for (auto& sheet : sheets) {
       PrintPage page;
