@@ -84,7 +84,7 @@ ModelImport readModelImport(const std::filesystem::path& file, const Progress& p
       return nullptr;
     }
   };
-  const SurfaceModel surface = readModelFile(*model, import.main, siblings);
+  const SurfaceModel surface = readModelFile(*model, import.main, siblings, {.progress = &progress});
   import.triangles = surface.mesh.triangles.size();
   import.fileSize = surface.fileSize;
   import.zUp = import.kind == "stl" || import.kind == "3ds" || (import.kind == "dae" && saysZUp(*model));

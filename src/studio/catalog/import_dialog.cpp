@@ -154,6 +154,7 @@ void ImportDialog::Impl::read(const std::filesystem::path& path) {
         turnTo(library);
       },
       [this](std::exception_ptr error) { onFailed(error); });
+  connect(job, &BackgroundJob::progressed, this, [this] { start->setProgress(job ? job->fraction() : 0); });
 }
 
 void ImportDialog::Impl::onFailed(std::exception_ptr error) {

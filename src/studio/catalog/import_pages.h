@@ -29,6 +29,7 @@ class ImportStart : public QWidget {
   explicit ImportStart(QWidget* parent = nullptr);
 
   void setBusy(const QString& what);  // empty: not any more
+  void setProgress(double fraction);
   void setProblem(const QString& words);
   void retranslate();
 

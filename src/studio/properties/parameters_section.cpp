@@ -139,7 +139,7 @@ class ParametersSection : public Section {
     const bool share = parameter.kind == Kind::Share;
     const double scale = share ? 100 : 1;
     row.length->setUnit(unit);
-    row.number->setDecimals(parameter.whole ? 0 : 1);
+    row.number->setDecimals(parameter.whole || share ? 0 : 1);
     row.number->setUnit(share                           ? QStringLiteral(" %")
                         : parameter.kind == Kind::Angle ? QStringLiteral("°")
                                                         : QString());
