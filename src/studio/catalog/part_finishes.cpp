@@ -20,6 +20,7 @@ PartFinishes::PartFinishes(QWidget* parent) : QScrollArea(parent) {
   setObjectName(QStringLiteral("importParts"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
+  setMinimumHeight(5 * fontMetrics().height());
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
