@@ -19,10 +19,25 @@ namespace idap {
 
 enum class PieceKind { Furniture, Lamp, Door, Window, Staircase };
 
-struct PieceParameter {  // of a parametric piece: "doors", "shelves", "top-thickness"
+struct PieceParameter {  // of a parametric piece: "doors", "shelves", "topThickness"
+  enum class Kind {
+    Count,
+    Length,  // m
+    Angle,   // degrees
+    Share,   // 0..1
+    Switch,  // 0 or 1
+    Choice   // the index of one of choices
+  };
+  struct Option {
+    std::string name;   // what the generator calls it: "tapered"
+    std::string label;  // English, marked for translation
+  };
   std::string name;
+  std::string label;  // English, marked for translation
+  Kind kind = Kind::Length;
   double value = 0, min = 0, max = 0;
   bool whole = false;
+  std::vector<Option> choices;
 };
 
 struct CatalogPiece {

@@ -92,8 +92,8 @@ SurfaceModel readModelFile(const Bytes& bytes, const std::string& name, const Si
   if (kind.empty())
     throw ParseError(name, "", "not a model of a known kind (OBJ, 3DS, DAE, STL, glTF, or a ZIP of one)");
   if (kind == "zip") return readArchived(bytes, name, options);
-  PolygonModel polygons =
-      kind == "obj" ? parseObj(asText(bytes), name, siblings) : readWithAssimp(bytes, name, kind, siblings);
+  PolygonModel polygons = kind == "obj" ? parseObj(asText(bytes), name, siblings, options.progress)
+                                        : readWithAssimp(bytes, name, kind, siblings, options.progress);
   SurfaceModel model = surfaceModelOf(std::move(polygons), options.rotation, options.smoothed);
   if (model.mesh.empty()) throw ParseError(name, "", "the model has no faces");
   return model;

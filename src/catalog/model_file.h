@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/progress.h"
 #include "catalog/surface_model.h"
 
 namespace idap {
@@ -19,6 +20,7 @@ struct ModelFileOptions {
   std::array<Vec3, 3> rotation{Vec3{1, 0, 0}, Vec3{0, 1, 0},
                                Vec3{0, 0, 1}};  // applied before fitting, in Z-up object space
   bool smoothed = true;  // vertex normals where the file has none and its smoothing groups ask for them
+  const Progress* progress = nullptr;  // told how far reading is; asked whether to stop: Cancelled is thrown
 };
 
 // name tells the format when the bytes do not. The result is Z up with a unit box (SurfaceModel::unitBox).

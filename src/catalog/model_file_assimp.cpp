@@ -9,6 +9,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
 #include <cstring>
 #include <map>
 
@@ -79,6 +80,18 @@ class SiblingSystem : public Assimp::IOSystem {
   const Bytes& model_;
   std::string modelName_;
   const SiblingFiles& siblings_;
+};
+
+class Reporter : public Assimp::ProgressHandler {
+ public:
+  explicit Reporter(const Progress& progress) : progress_(progress) {}
+  bool Update(float share) override {
+    if (share >= 0 && share <= 1) progress_.report(double(share), "");
+    return !progress_.cancelled();
+  }
+
+ private:
+  const Progress& progress_;
 };
 
 std::string textOf(const aiString& s) { return {s.data, s.length}; }
@@ -193,12 +206,14 @@ class Collector {
 }  // namespace
 
 PolygonModel readWithAssimp(const Bytes& bytes, const std::string& name, const std::string& extension,
-                            const SiblingFiles& siblings) {
+                            const SiblingFiles& siblings, const Progress* progress) {
   if (bytes.size() > kMaxBytes) throw ParseError(name, "", "the model is too large");
   const std::string inner = "model." + extension;
   Assimp::Importer importer;
-  importer.SetIOHandler(new SiblingSystem(bytes, inner, siblings));  // the importer owns it
+  importer.SetIOHandler(new SiblingSystem(bytes, inner, siblings));    // the importer owns it
+  if (progress) importer.SetProgressHandler(new Reporter(*progress));  // the importer's too
   const aiScene* scene = importer.ReadFile(inner, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+  if (progress) progress->check();
   if (!scene || !scene->mRootNode) throw ParseError(name, "", importer.GetErrorString());
   PolygonModel model;
   const SiblingFiles files = withEmbedded(*scene, siblings);

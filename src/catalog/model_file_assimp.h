@@ -11,6 +11,6 @@ namespace idap {
 
 // extension ("3ds", "dae", "stl", "gltf", "glb") chooses the reader. Throws ParseError.
 PolygonModel readWithAssimp(const Bytes& bytes, const std::string& name, const std::string& extension,
-                            const SiblingFiles& siblings);
+                            const SiblingFiles& siblings, const Progress* progress = nullptr);
 
 }  // namespace idap

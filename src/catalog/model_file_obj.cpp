@@ -38,8 +38,9 @@ SlotRole roleOf(std::string_view group) {
 
 class ObjParser {
  public:
-  ObjParser(std::string_view text, const std::string& name, const SiblingFiles& siblings)
-      : file_(text), name_(name), siblings_(siblings) {
+  ObjParser(std::string_view text, const std::string& name, const SiblingFiles& siblings,
+            const Progress* progress)
+      : file_(text), name_(name), siblings_(siblings), progress_(progress), whole_(text.size()) {
     // A guess that spares most of the growing; a vertex and a face together take some 50 characters.
     const std::size_t guess = text.size() / 50 + 16;
     model_.positions.reserve(guess);
@@ -49,7 +50,7 @@ class ObjParser {
 
   PolygonModel parse() {
     while (!file_.atEnd()) {
-      ++lineNumber_;
+      if (++lineNumber_ % kLinesToReport == 0) report();
       TextScan line = file_.line();
       line.skipBlanks();
       statement(line);
@@ -63,6 +64,14 @@ class ObjParser {
   }
 
  private:
+  static constexpr std::size_t kLinesToReport = 8192;
+
+  void report() const {
+    if (!progress_) return;
+    progress_->check();
+    progress_->report(1 - double(file_.left()) / double(whole_), "");
+  }
+
   [[noreturn]] void fail(const char* reason) const {
     throw ParseError(name_, fmt::format("line {}", lineNumber_), reason);
   }
@@ -194,6 +203,8 @@ class ObjParser {
   TextScan file_;
   const std::string& name_;
   const SiblingFiles& siblings_;
+  const Progress* progress_;
+  std::size_t whole_;
   std::size_t lineNumber_ = 0, libraries_ = 0;
   PolygonModel model_;
   std::unordered_map<std::string, PhongMaterial> materials_;
@@ -220,12 +231,13 @@ bool looksLikeObj(std::string_view text) {
   return false;
 }
 
-PolygonModel parseObj(std::string_view text, const std::string& name, const SiblingFiles& siblings) {
+PolygonModel parseObj(std::string_view text, const std::string& name, const SiblingFiles& siblings,
+                      const Progress* progress) {
   if (text.find('\\') != std::string_view::npos) {
     const std::string joined = joinContinuedLines(text);
-    return ObjParser(joined, name, siblings).parse();
+    return ObjParser(joined, name, siblings, progress).parse();
   }
-  return ObjParser(text, name, siblings).parse();
+  return ObjParser(text, name, siblings, progress).parse();
 }
 
 }  // namespace idap

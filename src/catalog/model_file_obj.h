@@ -15,6 +15,7 @@ bool looksLikeObj(std::string_view text);
 
 // Groups without an "s" statement are smooth, as Java 3D's loader has it. Lines, points and curves are
 // skipped. Throws ParseError with the line of a statement that cannot be read.
-PolygonModel parseObj(std::string_view text, const std::string& name, const SiblingFiles& siblings);
+PolygonModel parseObj(std::string_view text, const std::string& name, const SiblingFiles& siblings,
+                      const Progress* progress = nullptr);
 
 }  // namespace idap

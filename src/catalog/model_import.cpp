@@ -40,6 +40,11 @@ void readArchive(const SharedBytes& bytes, const std::string& name, ModelImport&
   into.main = into.main.substr(folder.size());
 }
 
+bool saysZUp(const Bytes& collada) {
+  constexpr std::size_t kHead = 65536;  // it stands in the first element
+  return asText(collada).substr(0, kHead).find("Z_UP") != std::string_view::npos;
+}
+
 std::string properName(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   name = toValidUtf8(name);
@@ -79,9 +84,12 @@ ModelImport readModelImport(const std::filesystem::path& file, const Progress& p
       return nullptr;
     }
   };
-  const SurfaceModel surface = readModelFile(*model, import.main, siblings);
+  const SurfaceModel surface = readModelFile(*model, import.main, siblings, {.progress = &progress});
   import.triangles = surface.mesh.triangles.size();
   import.fileSize = surface.fileSize;
+  import.zUp = import.kind == "stl" || import.kind == "3ds" || (import.kind == "dae" && saysZUp(*model));
+  for (const SurfaceModel::Slot& slot : surface.slots)
+    import.parts.push_back({slot.name, slot.material.color, slot.material.texture.has_value()});
   return import;
 }
 
@@ -94,9 +102,31 @@ double likelyUnit(const ModelImport& model) {
   return longest <= 600 ? 0.01 : 0.001;
 }
 
-UpAxis likelyUp(const ModelImport& model) { return model.kind == "stl" ? UpAxis::Z : UpAxis::Y; }
+UpAxis likelyUp(const ModelImport& model) { return model.zUp ? UpAxis::Z : UpAxis::Y; }
 
-std::array<Vec3, 3> importRotation(UpAxis up, int quarterTurns) {
+namespace {
+
+// What is up in a file with z up, as the axis that would be up in one with y up: x, y, z have become x, -z,
+// y.
+UpAxis asInYUp(UpAxis up) {
+  switch (up) {
+    case UpAxis::Y:
+      return UpAxis::MinusZ;
+    case UpAxis::MinusY:
+      return UpAxis::Z;
+    case UpAxis::Z:
+      return UpAxis::Y;
+    case UpAxis::MinusZ:
+      return UpAxis::MinusY;
+    default:
+      return up;
+  }
+}
+
+}  // namespace
+
+std::array<Vec3, 3> importRotation(UpAxis up, int quarterTurns, bool zUp) {
+  if (zUp) up = asInYUp(up);
   constexpr double kQuarter = kPi / 2;
   Transform upright;
   switch (up) {

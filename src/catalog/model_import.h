@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/bytes.h"
 #include "base/progress.h"
@@ -16,8 +17,15 @@ struct ModelImport {
   std::string main;                          // which of them is the model
   std::string kind;                          // "obj", "3ds", "dae", "stl", "gltf", "glb"
   std::string name;                          // a proposal for the piece, from the file's name
+  bool zUp = false;                          // the file's z is its up: STL, 3DS, DAE that says so
   std::size_t triangles = 0;
-  Vec3 fileSize;  // in the file's own unit, Y taken as up
+  Vec3 fileSize;  // in the file's own unit, stood up as the file has it
+  struct Part {   // a material slot
+    std::string name;
+    Color color;
+    bool pictured = false;  // a picture lies on it
+  };
+  std::vector<Part> parts;
 };
 
 // A file of catalog/model_file.h, or a ZIP with one. Throws IoError and ParseError with what is wrong, and
@@ -31,9 +39,10 @@ double likelyUnit(const ModelImport& model);
 enum class UpAxis { Y, Z, X, MinusY, MinusZ, MinusX };
 UpAxis likelyUp(const ModelImport& model);
 
-// ModelRef::rotation for an axis that is up and quarter turns (counter-clockwise, seen from above) on top.
-std::array<Vec3, 3> importRotation(UpAxis up, int quarterTurns);
-// A size in Y-up axes (ModelImport::fileSize) after that rotation.
+// ModelRef::rotation for an axis of the file that is up and quarter turns (counter-clockwise, seen from
+// above) on top. zUp: as ModelImport::zUp; such files have been stood up by their reader.
+std::array<Vec3, 3> importRotation(UpAxis up, int quarterTurns, bool zUp = false);
+// ModelImport::fileSize after that rotation.
 Vec3 rotatedSize(Vec3 size, const std::array<Vec3, 3>& rotation);
 
 // A path for the model's folder among the assets that none there begins with: "models/chair-2/".

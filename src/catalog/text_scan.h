@@ -17,6 +17,7 @@ class TextScan {
   bool atEnd() const { return at_ == end_; }
   char peek() const { return at_ == end_ ? '\0' : *at_; }
   void skip() { ++at_; }
+  std::size_t left() const { return std::size_t(end_ - at_); }
 
   // The text up to the next line end, without it; the cursor moves past it. Takes \n and \r\n.
   TextScan line() {

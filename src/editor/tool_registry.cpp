@@ -5,8 +5,10 @@ namespace idap {
 
 const std::vector<ToolEntry>& tools() {
   static const std::vector<ToolEntry> all{
-      selectTool(),    wallTool(),  roomTool(),     doorTool(),   windowTool(), openingTool(),
-      dimensionTool(), labelTool(), polylineTool(), cameraTool(), eraserTool(),
+      selectTool(),        wallTool(),        roomTool(),           doorTool(),
+      windowTool(),        openingTool(),     dimensionTool(),      labelTool(),
+      polylineTool(),      cameraTool(),      eraserTool(),         solidBoxTool(),
+      solidCylinderTool(), solidSphereTool(), solidExtrusionTool(), solidTurnedTool(),
   };
   return all;
 }

@@ -168,7 +168,7 @@ TEST(BuiltinPieces, CanBeRead) { EXPECT_NO_THROW(builtinCatalog()); }
 INSTANTIATE_TEST_SUITE_P(Of, BuiltinPiecesTest,
                          testing::Values("chair", "table", "sofa", "light", "appliance", "plant", "bed",
                                          "vanity", "cabinet", "bookshelf", "kitchen", "bathroom", "door",
-                                         "window", "stairs", "decor"),
+                                         "window", "stairs", "decor", "solid"),
                          [](const auto& category) { return category.param; });
 
 }  // namespace

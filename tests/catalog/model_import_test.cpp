@@ -78,6 +78,17 @@ TEST(ImportRotation, PutsTheChosenAxisUp) {
   }
 }
 
+TEST(ImportRotation, BringsEveryAxisOfAFileThatIsZUpUp) {
+  // Its reader leaves such a file's axes as they are.
+  const std::pair<UpAxis, Vec3> cases[] = {{UpAxis::Y, {0, 1, 0}},       {UpAxis::Z, {0, 0, 1}},
+                                           {UpAxis::X, {1, 0, 0}},       {UpAxis::MinusY, {0, -1, 0}},
+                                           {UpAxis::MinusZ, {0, 0, -1}}, {UpAxis::MinusX, {-1, 0, 0}}};
+  for (const auto& [axis, up] : cases) {
+    const auto r = importRotation(axis, 0, true);
+    EXPECT_NEAR((r[0] * up.x + r[1] * up.y + r[2] * up.z).z, 1, 1e-12) << int(axis);
+  }
+}
+
 TEST(ImportRotation, TurnsWidthIntoDepth) {
   const Vec3 size = rotatedSize({3, 2, 1}, importRotation(UpAxis::Y, 1));
   EXPECT_EQ(size.x, 2);

@@ -6,6 +6,8 @@
 
 #include "base/error.h"
 #include "catalog/embedded_data.h"
+#include "catalog/parametric/declarations.h"
+#include "catalog/parametric/outline_parameter.h"
 
 namespace idap::parametric {
 namespace {
@@ -71,13 +73,16 @@ void readParameters(const json& j, BuiltinPiece& built, CatalogPiece& piece) {
   for (const auto& [name, value] : j.items()) {
     if (value.is_string()) {
       built.parameters.texts[name] = value.get<std::string>();
+    } else if (value.is_array()) {
+      for (const json& point : value)
+        built.parameters.outline.push_back({point.at(0).get<double>(), point.at(1).get<double>()});
     } else if (value.is_object()) {
-      PieceParameter p;
-      p.name = name;
+      PieceParameter p = describedParameter(name);
       p.value = value.at("value").get<double>();
       p.min = value.value("min", p.value);
       p.max = value.value("max", p.value);
       p.whole = value.value("whole", false);
+      if (p.whole) p.kind = PieceParameter::Kind::Count;
       built.parameters.numbers[name] = p.value;
       piece.parameters.push_back(p);
     } else {
@@ -127,6 +132,7 @@ BuiltinPiece pieceOf(const json& j, const std::string& category, const BuiltinCa
   }
   readParameters(j.value("parameters", json::object()), built, piece);
   const std::string generator = j.at("generator").get<std::string>();
+  addDeclared(generator, built.parameters, piece.parameters);
   const auto it = generators().find(generator);
   if (it == generators().end()) throw std::invalid_argument("unknown generator '" + generator + "'");
   built.generator = it->second;
@@ -160,6 +166,20 @@ BuiltinCatalog readAll() {
       if (c.id == catalog.pieces[i].piece->category) ++c.pieces;
   }
   return catalog;
+}
+
+// Parts that a piece does not come with, but has by a user's choice, look as they do where they are usual: on
+// a piece of the same generator, else on any.
+const SlotMaterial* materialOf(const BuiltinPiece& built, const std::string& name) {
+  if (const auto slot = built.slots.find(name); slot != built.slots.end()) return &slot->second;
+  const SlotMaterial* usual = nullptr;
+  for (const BuiltinPiece& other : builtinCatalog().pieces) {
+    const auto slot = other.slots.find(name);
+    if (slot == other.slots.end()) continue;
+    if (other.generator == built.generator) return &slot->second;
+    if (!usual) usual = &slot->second;
+  }
+  return usual;
 }
 
 }  // namespace
@@ -197,9 +217,15 @@ Parameters withChanges(const BuiltinPiece& piece, const std::map<std::string, do
   for (const PieceParameter& p : piece.piece->parameters) {
     const auto it = changes.find(p.name);
     if (it == changes.end() || !std::isfinite(it->second)) continue;
-    const double value = std::clamp(it->second, p.min, p.max);
-    result.numbers[p.name] = p.whole ? std::round(value) : value;
+    double value = std::clamp(it->second, p.min, p.max);
+    if (p.whole) value = std::round(value);
+    if (p.kind == PieceParameter::Kind::Choice)
+      result.texts[p.name] = p.choices.at(static_cast<std::size_t>(value)).name;
+    else
+      result.numbers[p.name] = value;
   }
+  if (!result.outline.empty())
+    if (std::vector<Vec2> drawn = outlineFrom(changes); !drawn.empty()) result.outline = std::move(drawn);
   return result;
 }
 
@@ -218,9 +244,9 @@ SurfaceModel buildModel(const BuiltinPiece& built, Vec3 size, const std::map<std
   model.lightPositions = std::move(result.lights);
   for (const std::string& name : result.slots) {
     Material material;
-    if (const auto slot = built.slots.find(name); slot != built.slots.end()) {
-      if (const Material* known = findMaterial(slot->second.material)) material = *known;
-      if (slot->second.color) material.color = *slot->second.color;
+    if (const SlotMaterial* slot = materialOf(built, name)) {
+      if (const Material* known = findMaterial(slot->material)) material = *known;
+      if (slot->color) material.color = *slot->color;
     }
     model.slots.push_back({name, std::move(material)});
   }

@@ -142,7 +142,10 @@ void door(Builder& b, const Pane& pane, double y, const FrontStyle& s, Hinge hin
       b.barPull({x, y, z}, reach, true);
       break;
     case Pull::Cup:
-      b.cupPull({p.midX(), y, at == PullAt::Bottom ? p.z0 + 0.05 : p.z1 - 0.05});
+      if (p.height() > 0.9)  // within reach, and where the door is pulled
+        b.cupPull({hinge == Hinge::Left ? p.x1 - in - 0.045 : p.x0 + in + 0.045, y, z});
+      else
+        b.cupPull({p.midX(), y, at == PullAt::Bottom ? p.z0 + 0.05 : p.z1 - 0.05});
       break;
     case Pull::Edge:
       b.box({(hinge == Hinge::Left ? p.x1 : p.x0) - 0.006, y - 0.014, z - reach / 2},

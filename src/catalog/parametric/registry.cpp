@@ -32,6 +32,7 @@ const Generators& generators() {
     addAppliances(g);
     addStairs(g);
     addDecor(g);
+    addSolids(g);
     return g;
   }();
   return all;

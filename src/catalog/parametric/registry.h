@@ -16,6 +16,7 @@ class Parameters {
  public:
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> texts;
+  std::vector<Vec2> outline;  // of solids, in fractions of their box
 
   double number(const std::string& name, double fallback) const {
     const auto it = numbers.find(name);
@@ -59,4 +60,5 @@ void addVanities(Generators& to);
 void addAppliances(Generators& to);
 void addStairs(Generators& to);
 void addDecor(Generators& to);
+void addSolids(Generators& to);
 }  // namespace idap::parametric

@@ -24,6 +24,7 @@ void OutlineTool::follow(Editor& editor, const PointerEvent& event) {
   last_ = event;
   DrawnPoint::Line line;
   line.wallFaces = manner_.area;
+  line.ignored = ignored();
   if (!points_.empty()) line.from = points_.back();
   if (points_.size() > 1) {
     const Vec2 last = points_.back() - points_[points_.size() - 2];
@@ -32,10 +33,19 @@ void OutlineTool::follow(Editor& editor, const PointerEvent& event) {
     line.own.pop_back();
   }
   point_.follow(editor, event, line);
+  tellDrawn(editor);
+}
+
+void OutlineTool::tellDrawn(Editor& editor) {
+  if (points_.empty()) return;
+  std::vector<Vec2> points = points_;
+  if (length(point_.at() - points.back()) >= kSamePlace) points.push_back(point_.at());
+  drawn(editor, points);
 }
 
 Response OutlineTool::pointer(Editor& editor, const PointerEvent& event) {
-  if (event.plane != Plane::XY) return {.used = false};
+  if (!manner_.anyPlane && event.plane != Plane::XY) return {.used = false};
+  if (!points_.empty() && event.plane != plane()) return {};
   switch (event.kind) {
     case PointerEvent::Kind::Move:
       follow(editor, event);
@@ -79,6 +89,8 @@ Response OutlineTool::key(Editor& editor, const KeyEvent& event) {
   if (points_.empty()) return {.used = false};
   switch (point_.key(event, editor.settings().unit)) {
     case TypedFields::Answer::Changed:
+      tellDrawn(editor);
+      return {};
     case TypedFields::Answer::Wrong:
       return {};
     case TypedFields::Answer::Apply:
@@ -96,7 +108,7 @@ Response OutlineTool::key(Editor& editor, const KeyEvent& event) {
     points_.pop_back();
     point_.fields().clear();
     if (points_.empty())
-      point_.forget();
+      cancel(editor);
     else
       follow(editor, last_);
     return {};
@@ -115,6 +127,7 @@ void OutlineTool::place(Editor& editor) {
   if (!points_.empty() && length(at - points_.back()) < kSamePlace) return;
   points_.push_back(at);
   point_.startFrom(at);
+  tellDrawn(editor);
 }
 
 // Makes what is drawn so far; too little of it is dropped.
@@ -126,7 +139,8 @@ void OutlineTool::stop(Editor& editor) {
 
 Overlay OutlineTool::overlay(const Editor& editor, Plane plane, double pixel) const {
   Overlay overlay;
-  if (plane != Plane::XY) {
+  if (manner_.anyPlane && plane != this->plane()) return overlay;
+  if (!manner_.anyPlane && plane != Plane::XY) {
     if (editor.lastPointer().plane == plane) overlay.note = manner_.planOnly;
     return overlay;
   }
@@ -145,7 +159,7 @@ Overlay OutlineTool::overlay(const Editor& editor, Plane plane, double pixel) co
 }
 
 Cursor OutlineTool::cursor(const Editor&, Plane plane) const {
-  return plane == Plane::XY ? Cursor::Cross : Cursor::Forbidden;
+  return manner_.anyPlane || plane == Plane::XY ? Cursor::Cross : Cursor::Forbidden;
 }
 
 }  // namespace idap

@@ -1,4 +1,5 @@
-// Drawing point by point on the plan, with typed lengths and angles: what rooms and polylines have in common.
+// Drawing point by point, with typed lengths and angles: what rooms, polylines and outlines of solids have in
+// common.
 #pragma once
 
 #include <vector>
@@ -21,11 +22,17 @@ class OutlineTool : public Tool {
     bool area = false;          // an area is drawn: it closes by itself, and snaps to the faces of walls
     const char* next = "";      // the hint while drawing; marked for translation
     const char* planOnly = "";  // the note in the other planes; marked for translation
+    bool anyPlane = false;      // it is drawn in whichever plane its first point is
   };
   explicit OutlineTool(Manner manner) : manner_(manner) {}
 
   // Makes one undo step of the points: at least three when closed, at least two otherwise.
   virtual void finish(Editor& editor, std::vector<Vec2> points, bool closed) = 0;
+  // The points so far and where the next one would be, after each change.
+  virtual void drawn(Editor&, const std::vector<Vec2>&) {}
+  // What a subclass previews, for points not to snap to it.
+  virtual Elements ignored() const { return {}; }
+  Plane plane() const { return last_.plane; }
   // A double click where nothing was begun.
   virtual void fill(Editor&, Vec2) {}
   // Shown while nothing is begun: what a double click here would do.
@@ -36,6 +43,7 @@ class OutlineTool : public Tool {
   void follow(Editor& editor, const PointerEvent& event);
   void place(Editor& editor);
   void stop(Editor& editor);
+  void tellDrawn(Editor& editor);
 
   Manner manner_;
   DrawnPoint point_;

@@ -14,6 +14,11 @@ ToolEntry openingTool();  // a passage with nothing in it
 ToolEntry dimensionTool();
 ToolEntry labelTool();
 ToolEntry polylineTool();
+ToolEntry solidBoxTool();
+ToolEntry solidCylinderTool();
+ToolEntry solidSphereTool();
+ToolEntry solidExtrusionTool();
+ToolEntry solidTurnedTool();
 ToolEntry cameraTool();
 ToolEntry eraserTool();
 

@@ -154,6 +154,7 @@ void ImportDialog::Impl::read(const std::filesystem::path& path) {
         turnTo(library);
       },
       [this](std::exception_ptr error) { onFailed(error); });
+  connect(job, &BackgroundJob::progressed, this, [this] { start->setProgress(job ? job->fraction() : 0); });
 }
 
 void ImportDialog::Impl::onFailed(std::exception_ptr error) {
@@ -210,7 +211,7 @@ void ImportDialog::Impl::importPiece() {
   const bool done = editor.apply(QT_TRANSLATE_NOOP("idap", "Import a piece"), [&](const Home& home) {
     Home after = home;
     auto assets = std::make_shared<Assets>(*home.assets);
-    for (const auto& [name, bytes] : import.files) assets->emplace(folder + name, bytes);
+    for (const auto& [name, bytes] : model->files(folder)) assets->emplace(name, bytes);
     after.assets = std::move(assets);
     if (opening) {
       OpeningEdit edit = addOpening(after, *opening);
@@ -232,7 +233,7 @@ ImportDialog::ImportDialog(Editor& editor, QWidget* parent)
   setObjectName(QStringLiteral("importDialog"));
   impl_->build();
   const int unit = fontMetrics().height();
-  resize(40 * unit, 26 * unit);
+  resize(48 * unit, 34 * unit);
 }
 
 ImportDialog::~ImportDialog() = default;

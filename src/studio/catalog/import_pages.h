@@ -18,8 +18,9 @@ class QPushButton;
 
 namespace idap {
 
-class BackgroundJob;
 class LengthField;
+class ModelPreview;
+class PartFinishes;
 
 // A place to drop a file, and a button to look for one.
 class ImportStart : public QWidget {
@@ -28,6 +29,7 @@ class ImportStart : public QWidget {
   explicit ImportStart(QWidget* parent = nullptr);
 
   void setBusy(const QString& what);  // empty: not any more
+  void setProgress(double fraction);
   void setProblem(const QString& words);
   void retranslate();
 
@@ -71,11 +73,11 @@ class ModelPage : public QWidget {
   Q_OBJECT
  public:
   explicit ModelPage(Editor& editor, QWidget* parent = nullptr);
-  ~ModelPage() override;
-
   void show(std::shared_ptr<const ModelImport> model);
   // The piece as chosen, with its files under this folder of the home's assets.
   Furniture furniture(const std::string& folder) const;
+  // All these files, and the pictures that were chosen for its parts, by their names among the assets.
+  Assets files(const std::string& folder) const;
   PieceKind kind() const;
   void retranslate();
   const ModelImport* model() const { return model_.get(); }
@@ -91,20 +93,21 @@ class ModelPage : public QWidget {
   std::shared_ptr<const ModelImport> model_;
   Vec3 size_{1, 1, 1};
   int turns_ = 0;
-  QLabel* picture_;
+  ModelPreview* picture_;
+  QLabel* pictureHint_;
   QLabel* facts_;
   QLineEdit* name_;
   QComboBox* category_;
   QComboBox* kind_;
   QComboBox* unit_;
   QComboBox* up_;
-  QPushButton* turn_;
+  QPushButton *turn_, *turnBack_;
   LengthField* sizes_[3];
   LengthField* elevation_;
   QCheckBox* proportions_;
+  PartFinishes* parts_;
+  QCheckBox* pictures_;
   QLabel* labels_[10];
-  BackgroundJob* tracing_ = nullptr;
-  bool again_ = false;  // the picture is out of date already
 };
 
 }  // namespace idap

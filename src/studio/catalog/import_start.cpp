@@ -55,10 +55,17 @@ void ImportStart::retranslate() {
 void ImportStart::setBusy(const QString& what) {
   const bool busy = !what.isEmpty();
   busy_->setFormat(what);
+  busy_->setRange(0, 0);  // how long it takes is not known at first
   busy_->setVisible(busy);
   cancel_->setVisible(busy);
   choose_->setVisible(!busy);
   if (busy) problem_->hide();
+}
+
+void ImportStart::setProgress(double fraction) {
+  if (fraction <= 0) return;
+  busy_->setRange(0, 100);
+  busy_->setValue(static_cast<int>(100 * fraction));
 }
 
 void ImportStart::setProblem(const QString& words) {

@@ -3,10 +3,10 @@
 #include <QFormLayout>
 #include <QLineEdit>
 
-#include "scene/thumbnail.h"
 #include "studio/catalog/catalog_model.h"
 #include "studio/catalog/import_pages.h"
-#include "studio/widgets/background_job.h"
+#include "studio/catalog/model_preview.h"
+#include "studio/catalog/part_finishes.h"
 #include "studio/widgets/length_field.h"
 #include "studio/widgets/texts.h"
 
@@ -14,7 +14,7 @@ namespace idap {
 
 namespace {
 
-constexpr int kPictureSide = 256;
+constexpr int kPictureSide = 320;
 constexpr double kUnits[] = {1, 0.01, 0.001, 0.0254};  // m
 constexpr double kSmallest = 0.001, kLargest = 100;    // m
 
@@ -28,6 +28,7 @@ enum LabelIndex {
   DepthLabel,
   HeightLabel,
   ElevationLabel,
+  PartsLabel,
   Labels
 };
 
@@ -35,11 +36,12 @@ enum LabelIndex {
 
 ModelPage::ModelPage(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
   setObjectName(QStringLiteral("importModel"));
-  picture_ = new QLabel;
+  picture_ = new ModelPreview(editor);
   picture_->setObjectName(QStringLiteral("importPicture"));
   picture_->setFixedSize(kPictureSide, kPictureSide);
-  picture_->setAlignment(Qt::AlignCenter);
-  picture_->setFrameShape(QFrame::StyledPanel);
+  pictureHint_ = new QLabel;
+  pictureHint_->setForegroundRole(QPalette::PlaceholderText);
+  pictureHint_->setAlignment(Qt::AlignCenter);
   facts_ = new QLabel;
   facts_->setWordWrap(true);
   facts_->setForegroundRole(QPalette::PlaceholderText);
@@ -54,9 +56,17 @@ ModelPage::ModelPage(Editor& editor, QWidget* parent) : QWidget(parent), editor_
   kind_ = combo("importKind");
   unit_ = combo("importUnit");
   up_ = combo("importUp");
-  turn_ = new QPushButton;
+  turn_ = new QPushButton(QStringLiteral("↺"));
   turn_->setObjectName(QStringLiteral("importTurn"));
-  turn_->setAutoDefault(false);
+  turnBack_ = new QPushButton(QStringLiteral("↻"));
+  turnBack_->setObjectName(QStringLiteral("importTurnBack"));
+  for (QPushButton* button : {turn_, turnBack_}) {
+    button->setAutoDefault(false);
+    button->setFixedWidth(3 * fontMetrics().height());
+  }
+  parts_ = new PartFinishes;
+  pictures_ = new QCheckBox;
+  pictures_->setObjectName(QStringLiteral("importPictures"));
   proportions_ = new QCheckBox;
   proportions_->setObjectName(QStringLiteral("importProportions"));
   proportions_->setChecked(true);
@@ -81,12 +91,16 @@ ModelPage::ModelPage(Editor& editor, QWidget* parent) : QWidget(parent), editor_
   auto* axes = new QHBoxLayout;
   axes->addWidget(up_, 1);
   axes->addWidget(turn_);
+  axes->addWidget(turnBack_);
   form->addRow(labels_[UpLabel], axes);
   for (int i = 0; i < 3; ++i) form->addRow(labels_[WidthLabel + i], sizes_[i]);
   form->addRow(QString(), proportions_);
   form->addRow(labels_[ElevationLabel], elevation_);
+  form->addRow(labels_[PartsLabel], parts_);
+  form->addRow(QString(), pictures_);
   auto* left = new QVBoxLayout;
   left->addWidget(picture_);
+  left->addWidget(pictureHint_);
   left->addWidget(facts_);
   left->addStretch(1);
   auto* layout = new QHBoxLayout(this);
@@ -96,15 +110,18 @@ ModelPage::ModelPage(Editor& editor, QWidget* parent) : QWidget(parent), editor_
   retranslate();
   connect(unit_, &QComboBox::activated, this, [this] { onUnit(); });
   connect(up_, &QComboBox::activated, this, [this] { onAxis(); });
-  connect(turn_, &QPushButton::clicked, this, [this] {
-    turns_ = (turns_ + 1) % 4;
+  const auto turnBy = [this](int quarters) {
+    turns_ = (turns_ + quarters) % 4;
     std::swap(size_.x, size_.y);
     setSize(size_);
     preview();
-  });
+  };
+  connect(turn_, &QPushButton::clicked, this, [turnBy] { turnBy(1); });
+  connect(turnBack_, &QPushButton::clicked, this, [turnBy] { turnBy(3); });
+  connect(parts_, &PartFinishes::changed, this, [this] { preview(); });
+  connect(pictures_, &QCheckBox::toggled, parts_, &PartFinishes::setKeepsPictures);
+  connect(kind_, &QComboBox::activated, this, [this] { preview(); });
 }
-
-ModelPage::~ModelPage() { delete tracing_; }
 
 void ModelPage::retranslate() {
   const auto fill = [](QComboBox* box, const QStringList& texts) {
@@ -115,7 +132,7 @@ void ModelPage::retranslate() {
   };
   fill(kind_, {tr("Furniture"), tr("Lamp"), tr("Door"), tr("Window")});
   fill(unit_, {tr("metres"), tr("centimetres"), tr("millimetres"), tr("inches")});
-  fill(up_, {tr("Y (most models)"), tr("Z"), tr("X"), tr("−Y"), tr("−Z"), tr("−X")});
+  fill(up_, {tr("Y"), tr("Z"), tr("X"), tr("−Y"), tr("−Z"), tr("−X")});
   const QString chosen = category_->currentData().toString();
   category_->clear();
   // The built-in ones, named in the user's language.
@@ -126,15 +143,22 @@ void ModelPage::retranslate() {
     category_->addItem(category.name, toQt(category.id));
   const int row = category_->findData(chosen.isEmpty() ? QStringLiteral("decor") : chosen);
   category_->setCurrentIndex(std::max(row, 0));
-  const QString titles[] = {tr("Name"),  tr("Category"), tr("It is"),  tr("Made in"),  tr("Up is"),
-                            tr("Width"), tr("Depth"),    tr("Height"), tr("Elevation")};
-  QWidget* buddies[] = {name_, category_, kind_, unit_, up_, sizes_[0], sizes_[1], sizes_[2], elevation_};
+  const QString titles[] = {tr("Name"),  tr("Category"), tr("It is"),  tr("Made in"),   tr("Up is"),
+                            tr("Width"), tr("Depth"),    tr("Height"), tr("Elevation"), tr("Parts")};
+  QWidget* buddies[] = {name_,     category_, kind_,     unit_,      up_,
+                        sizes_[0], sizes_[1], sizes_[2], elevation_, parts_};
   for (int i = 0; i < Labels; ++i) {
     labels_[i]->setText(titles[i]);
     labels_[i]->setBuddy(buddies[i]);
   }
-  turn_->setText(tr("Turn 90°"));
-  turn_->setToolTip(tr("Turn it until its front looks at you"));
+  turn_->setToolTip(tr("Turn it by 90° to the left, until its front looks at you"));
+  turnBack_->setToolTip(tr("Turn it by 90° to the right, until its front looks at you"));
+  turn_->setAccessibleName(tr("Turn to the left"));
+  turnBack_->setAccessibleName(tr("Turn to the right"));
+  pictures_->setText(tr("Keep the pictures of the file"));
+  pictures_->setToolTip(tr("Without, parts have a plain colour, and the home is smaller"));
+  pictureHint_->setText(tr("Drag to look at it from all sides"));
+  picture_->setToolTip(tr("Drag turns it, the wheel comes nearer"));
   unit_->setToolTip(tr("What one unit of the file stands for: sets the size"));
   up_->setToolTip(tr("If the piece lies on its back, choose another axis"));
   kind_->setToolTip(tr("Lamps give light; doors and windows go into walls"));
@@ -152,6 +176,9 @@ void ModelPage::show(std::shared_ptr<const ModelImport> model) {
   for (int i = 0; i < 4; ++i)
     if (std::abs(kUnits[i] - unit) < 1e-9) unit_->setCurrentIndex(i);
   elevation_->setValue(0);
+  pictures_->setChecked(true);
+  parts_->show(*model_, editor_.settings());
+  pictures_->setVisible(parts_->pictured());
   facts_->setText(
       QStringLiteral("%1 · %2").arg(toQt(model_->main), tr("%1 triangles").arg(model_->triangles)));
   onUnit();
@@ -159,7 +186,7 @@ void ModelPage::show(std::shared_ptr<const ModelImport> model) {
 
 void ModelPage::onUnit() {
   if (!model_) return;
-  const auto rotation = importRotation(static_cast<UpAxis>(up_->currentIndex()), turns_);
+  const auto rotation = importRotation(static_cast<UpAxis>(up_->currentIndex()), turns_, model_->zUp);
   setSize(rotatedSize(model_->fileSize, rotation) * kUnits[unit_->currentIndex()]);
   preview();
 }
@@ -194,47 +221,25 @@ Furniture ModelPage::furniture(const std::string& folder) const {
   piece.name = fromQt(name_->text().trimmed());
   if (piece.name.empty()) piece.name = model_->name;
   piece.model.asset = folder + model_->main;
-  piece.model.rotation = importRotation(static_cast<UpAxis>(up_->currentIndex()), turns_);
+  piece.model.rotation = importRotation(static_cast<UpAxis>(up_->currentIndex()), turns_, model_->zUp);
   piece.size = size_;
   piece.position.z = elevation_->value();
   if (kind() == PieceKind::Lamp) piece.lamp = Lamp{};
+  piece.slotFinishes = parts_->finishes();
   piece.properties["category"] = fromQt(category_->currentData().toString());
   return piece;
 }
 
-// In the background; while one picture is made, only the last wish is kept.
+Assets ModelPage::files(const std::string& folder) const {
+  Assets files = parts_->pictures();
+  for (const auto& [name, bytes] : model_->files) files.emplace(folder + name, bytes);
+  return files;
+}
+
 void ModelPage::preview() {
   if (!model_) return;
-  if (tracing_) {
-    again_ = true;
-    return;
-  }
-  picture_->setToolTip(tr("How the piece will look"));
   const std::string folder = "models/";
-  auto assets = std::make_shared<Assets>();
-  for (const auto& [name, bytes] : model_->files) assets->emplace(folder + name, bytes);
-  const Furniture piece = furniture(folder);
-  const auto catalog = editor_.sharedCatalog();
-  const int side = qRound(kPictureSide * devicePixelRatioF());
-  const auto done = [this] {
-    tracing_ = nullptr;
-    if (std::exchange(again_, false)) preview();
-  };
-  tracing_ = runInBackground<Image8>(
-      nullptr, tr("Preview"),
-      [=](const Progress& progress) { return renderThumbnail(*catalog, piece, assets, side, progress); },
-      [this, done](const Image8& image) {
-        QPixmap pixmap = QPixmap::fromImage(
-            QImage(image.rgb.data(), image.width, image.height, image.width * 3, QImage::Format_RGB888)
-                .copy());
-        pixmap.setDevicePixelRatio(devicePixelRatioF());
-        picture_->setPixmap(pixmap);
-        done();
-      },
-      [this, done](std::exception_ptr error) {
-        picture_->setText(errorText(error));
-        done();
-      });
+  picture_->show(furniture(folder), std::make_shared<const Assets>(files(folder)));
 }
 
 }  // namespace idap

@@ -24,8 +24,18 @@ Home withFollowers(const Home& before, Home after, bool roomsFollow) {
   return dimensionsFollow(before, after);
 }
 
-std::string keyOf(const Piece& piece) {
+std::string modelKey(const Piece& piece) {
   return piece.model.asset.empty() ? "piece " + piece.model.catalogId : "file " + piece.model.asset;
+}
+
+// Which parts a model has depends on what was chosen of it.
+std::string keyOf(const Piece& piece) {
+  std::string key = modelKey(piece);
+  for (const auto& [name, value] : piece.model.parameters) {
+    key.append("\n").append(name);
+    key.append(" ").append(std::to_string(value));
+  }
+  return key;
 }
 
 // Models name the catalog's materials in English.
@@ -100,7 +110,10 @@ const PieceFacts* PanelLink::facts(const Piece& piece, const Home& home) {
     return &kNone;
   }
   const std::string key = keyOf(piece);
-  if (const auto found = facts_.find(key); found != facts_.end()) return &found->second;
+  if (const auto found = facts_.find(key); found != facts_.end()) {
+    latest_[modelKey(piece)] = key;
+    return &found->second;
+  }
   if (asked_.insert(key).second)
     QThreadPool::globalInstance()->start([this, key, ref = piece.model, size = piece.size,
                                           catalog = editor_.sharedCatalog(), assets = home.assets,

@@ -56,6 +56,7 @@ class PanelLink : public QObject {
   bool live_ = false;
   std::map<std::string, PieceFacts> facts_;
   std::set<std::string> asked_;
+  std::map<std::string, std::string> latest_;  // model -> the key of its facts that were shown last
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 

@@ -1,12 +1,13 @@
 // What can be chosen of a parametric piece (doors, shelves, …), and the hole that a staircase needs.
 #include <QCheckBox>
-#include <QPushButton>
 
 #include "model/edits/piece_edits.h"
+#include "studio/properties/calm_choice.h"
 #include "studio/properties/part_names.h"
 #include "studio/properties/sections.h"
 #include "studio/widgets/length_field.h"
 #include "studio/widgets/number_field.h"
+#include "studio/widgets/texts.h"
 
 namespace idap {
 
@@ -14,19 +15,12 @@ namespace {
 
 constexpr const char* kWholeFootprint = "M0,0 v1 h1 v-1 z";
 
-// Its numbers are lengths where they are not counted and look like metres; the catalog says no more.
-bool isLength(const PieceParameter& parameter) {
-  static const std::set<std::string> kShares{"books", "open"};
-  return !parameter.whole && parameter.max <= 3 && !kShares.contains(parameter.name);
-}
-bool isShare(const PieceParameter& parameter) {
-  return !parameter.whole && !isLength(parameter) && parameter.max <= 1;
-}
+using Kind = PieceParameter::Kind;
 
 class ParametersSection : public Section {
  public:
   ParametersSection(PanelLink& panelLink, QWidget* parent)
-      : Section(panelLink, "parametersSection", QT_TRANSLATE_NOOP("idap", "Construction"), parent) {
+      : Section(panelLink, "parametersSection", QT_TRANSLATE_NOOP("idap", "Parameters"), parent) {
     addCheck(
         {"stairsCutOut", QT_TRANSLATE_NOOP("idap", "Cuts the floor above"),
          QT_TRANSLATE_NOOP("idap", "Change stair opening"),
@@ -52,11 +46,15 @@ class ParametersSection : public Section {
   }
 
  private:
+  // One field of each kind, of which one is there.
   struct Row {
     QLabel* label;
     NumberField* number;
     LengthField* length;
+    QComboBox* choice;
+    QCheckBox* check;
     PieceParameter parameter;
+    std::string options;  // what the choice was filled with
   };
 
   bool isStaircase(const Furniture& piece, const Home& home) {
@@ -77,59 +75,121 @@ class ParametersSection : public Section {
     const std::vector<PieceParameter> shown = parameters(s);
     while (rows_.size() < shown.size()) addParameterRow();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      Row& row = rows_[i];
-      const bool here = i < shown.size(), asLength = here && isLength(shown[i]);
-      setRowShown(row.number->parentWidget(), here);
-      if (!here) continue;
-      row.parameter = shown[i];
-      const QString name = parameterName(shown[i].name);
-      if (row.label->text() != name) row.label->setText(name);
-      row.number->setVisible(!asLength);
-      row.length->setVisible(asLength);
-      row.length->setUnit(s.settings.unit);
-      const double scale = isShare(shown[i]) ? 100 : 1;
-      row.number->setDecimals(shown[i].whole ? 0 : 1);
-      row.number->setUnit(isShare(shown[i]) ? QStringLiteral(" %") : QString());
-      ValueField* field = asLength ? static_cast<ValueField*>(row.length) : row.number;
-      field->setObjectName(QStringLiteral("parameter-") + QString::fromStdString(shown[i].name));
-      field->setAccessibleName(name);
-      field->setRange(scale * shown[i].min, scale * shown[i].max);
-      const auto common = s.ofPieces([&](const Piece& p) {
-        const auto found = p.model.parameters.find(shown[i].name);
-        return scale * (found == p.model.parameters.end() ? shown[i].value : found->second);
-      });
-      field->setToolTip(asLength ? QString()
-                                 : Section::tr("%1 to %2").arg(field->minimum()).arg(field->maximum()));
-      if (common.mixed)
-        field->setMixed();
-      else
-        field->setValue(common.value);
+      setRowShown(rows_[i].number->parentWidget(), i < shown.size());
+      if (i < shown.size()) showParameter(rows_[i], shown[i], s);
     }
+  }
+
+  static QWidget* fieldOf(const Row& row) {
+    switch (row.parameter.kind) {
+      case Kind::Switch:
+        return row.check;
+      case Kind::Choice:
+        return row.choice;
+      case Kind::Length:
+        return row.length;
+      default:
+        return row.number;
+    }
+  }
+
+  void showParameter(Row& row, const PieceParameter& parameter, const Selected& s) {
+    row.parameter = parameter;
+    const QString name = parameterName(parameter);
+    if (row.label->text() != name) row.label->setText(name);
+    QWidget* shown = fieldOf(row);
+    for (QWidget* field : std::initializer_list<QWidget*>{row.number, row.length, row.choice, row.check}) {
+      field->setVisible(field == shown);
+      if (field != shown) field->setObjectName(QString());
+    }
+    shown->setObjectName(QStringLiteral("parameter-") + toQt(parameter.name));
+    shown->setAccessibleName(name);
+    const auto common = s.ofPieces([&](const Piece& p) {
+      const auto found = p.model.parameters.find(parameter.name);
+      const double value = found == p.model.parameters.end() ? parameter.value : found->second;
+      return std::clamp(value, parameter.min, parameter.max);
+    });
+    if (parameter.kind == Kind::Switch) {
+      row.check->setTristate(common.mixed);
+      row.check->setCheckState(common.mixed        ? Qt::PartiallyChecked
+                               : common.value != 0 ? Qt::Checked
+                                                   : Qt::Unchecked);
+    } else if (parameter.kind == Kind::Choice) {
+      fillChoice(row);
+      row.choice->setPlaceholderText(common.mixed ? Section::tr("Several values") : QString());
+      row.choice->setCurrentIndex(common.mixed ? -1 : static_cast<int>(std::lround(common.value)));
+    } else {
+      showNumber(row, common.mixed, common.value, s.settings.unit);
+    }
+  }
+
+  static void fillChoice(Row& row) {
+    QStringList labels;
+    for (const PieceParameter::Option& option : row.parameter.choices)
+      labels << translated(option.label.c_str());
+    const std::string all = fromQt(labels.join(QLatin1Char('\n')));
+    if (all == row.options) return;
+    row.options = all;
+    row.choice->clear();
+    row.choice->addItems(labels);
+  }
+
+  static void showNumber(Row& row, bool mixed, double value, LengthUnit unit) {
+    const PieceParameter& parameter = row.parameter;
+    const bool share = parameter.kind == Kind::Share;
+    const double scale = share ? 100 : 1;
+    row.length->setUnit(unit);
+    row.number->setDecimals(parameter.whole || share ? 0 : 1);
+    row.number->setUnit(share                           ? QStringLiteral(" %")
+                        : parameter.kind == Kind::Angle ? QStringLiteral("°")
+                                                        : QString());
+    const bool length = parameter.kind == Kind::Length;
+    ValueField* field = length ? static_cast<ValueField*>(row.length) : row.number;
+    field->setRange(scale * parameter.min, scale * parameter.max);
+    field->setToolTip(
+        length ? Section::tr("%1 to %2").arg(lengthText(parameter.min, unit), lengthText(parameter.max, unit))
+               : Section::tr("%1 to %2").arg(field->minimum()).arg(field->maximum()));
+    if (mixed)
+      field->setMixed();
+    else
+      field->setValue(scale * value);
   }
 
   void addParameterRow() {
     auto* holder = new QWidget(body());
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
-    Row row{nullptr, new NumberField(holder), new LengthField(holder), {}};
-    column->addWidget(row.number);
-    column->addWidget(row.length);
+    Row row{nullptr,
+            new NumberField(holder),
+            new LengthField(holder),
+            new CalmChoice(holder),
+            new QCheckBox(holder),
+            {},
+            {}};
+    for (QWidget* field : std::initializer_list<QWidget*>{row.number, row.length, row.choice, row.check}) {
+      column->addWidget(field);
+      addField(field);
+    }
     row.label = addLabelled(holder);
-    addField(row.number);
-    addField(row.length);
     const std::size_t index = rows_.size();
     const auto write = [this, index](const Home& home, const Elements& e, double value) {
       const PieceParameter parameter = rows_[index].parameter;
-      const double stored = isShare(parameter) ? value / 100 : value;
+      const double stored = parameter.kind == Kind::Share ? value / 100 : value;
       return changePieces(home, e, [&](Piece& p) { p.model.parameters[parameter.name] = stored; });
     };
-    const RowText text{.edit = QT_TRANSLATE_NOOP("idap", "Change construction")};
+    const RowText text{.edit = QT_TRANSLATE_NOOP("idap", "Change parameters")};
     for (ValueField* field : {static_cast<ValueField*>(row.number), static_cast<ValueField*>(row.length)}) {
       connect(field, &ValueField::valueChanged, this,
               [this, text, write](double value) { apply<double>(text, write, value); });
       connect(field, &ValueField::valueStepping, this,
               [this, text, write](double value) { preview<double>(text, write, value); });
     }
+    connect(row.choice, &QComboBox::activated, this,
+            [this, text, write](int chosen) { apply<double>(text, write, chosen); });
+    connect(row.check, &QCheckBox::clicked, this, [this, text, write, check = row.check] {
+      check->setTristate(false);
+      apply<double>(text, write, check->isChecked() ? 1 : 0);
+    });
     rows_.push_back(row);
   }
 

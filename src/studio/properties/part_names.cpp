@@ -143,50 +143,9 @@ QString partName(const std::string& slot) {
   return nameIn(kNames, slot);
 }
 
-QString parameterName(const std::string& parameter) {
-  static const std::map<std::string, const char*> kNames{
-      {"topThickness", QT_TRANSLATE_NOOP("idap", "Thickness of the top")},
-      {"feet", QT_TRANSLATE_NOOP("idap", "Feet")},
-      {"bars", QT_TRANSLATE_NOOP("idap", "Bars")},
-      {"stems", QT_TRANSLATE_NOOP("idap", "Stems")},
-      {"leaves", QT_TRANSLATE_NOOP("idap", "Leaves")},
-      {"fronds", QT_TRANSLATE_NOOP("idap", "Fronds")},
-      {"flowers", QT_TRANSLATE_NOOP("idap", "Flowers")},
-      {"doors", QT_TRANSLATE_NOOP("idap", "Doors")},
-      {"drawers", QT_TRANSLATE_NOOP("idap", "Drawers")},
-      {"columns", QT_TRANSLATE_NOOP("idap", "Columns")},
-      {"bar", QT_TRANSLATE_NOOP("idap", "Bar of the handle")},
-      {"seatHeight", QT_TRANSLATE_NOOP("idap", "Seat height")},
-      {"arm", QT_TRANSLATE_NOOP("idap", "Width of the arms")},
-      {"spindles", QT_TRANSLATE_NOOP("idap", "Spindles")},
-      {"legs", QT_TRANSLATE_NOOP("idap", "Legs")},
-      {"arms", QT_TRANSLATE_NOOP("idap", "Arms")},
-      {"spots", QT_TRANSLATE_NOOP("idap", "Spots")},
-      {"candles", QT_TRANSLATE_NOOP("idap", "Candles")},
-      {"mirrorDoor", QT_TRANSLATE_NOOP("idap", "Mirror door number")},
-      {"shelves", QT_TRANSLATE_NOOP("idap", "Shelves")},
-      {"flaps", QT_TRANSLATE_NOOP("idap", "Flaps")},
-      {"paneColumns", QT_TRANSLATE_NOOP("idap", "Panes across")},
-      {"paneRows", QT_TRANSLATE_NOOP("idap", "Panes up")},
-      {"books", QT_TRANSLATE_NOOP("idap", "How full of books")},
-      {"rows", QT_TRANSLATE_NOOP("idap", "Rows")},
-      {"boards", QT_TRANSLATE_NOOP("idap", "Boards")},
-      {"sashes", QT_TRANSLATE_NOOP("idap", "Sashes")},
-      {"basins", QT_TRANSLATE_NOOP("idap", "Basins")},
-      {"bedHeight", QT_TRANSLATE_NOOP("idap", "Height of the bed")},
-      {"footHeight", QT_TRANSLATE_NOOP("idap", "Height of the foot")},
-      {"mattressHeight", QT_TRANSLATE_NOOP("idap", "Height of the mattress")},
-      {"border", QT_TRANSLATE_NOOP("idap", "Width of the border")},
-      {"open", QT_TRANSLATE_NOOP("idap", "How far open")},
-      {"panels", QT_TRANSLATE_NOOP("idap", "Panels")},
-      {"drop", QT_TRANSLATE_NOOP("idap", "How far it hangs down")},
-      {"mat", QT_TRANSLATE_NOOP("idap", "Width of the mat")},
-      {"fruits", QT_TRANSLATE_NOOP("idap", "Fruits")},
-      {"turn", QT_TRANSLATE_NOOP("idap", "Turn")},
-      {"flight", QT_TRANSLATE_NOOP("idap", "Width of the flight")},
-      {"blades", QT_TRANSLATE_NOOP("idap", "Blades")},
-  };
-  return nameIn(kNames, parameter);
+QString parameterName(const PieceParameter& parameter) {
+  return parameter.label.empty() || parameter.label == parameter.name ? tidied(parameter.name)
+                                                                      : translated(parameter.label.c_str());
 }
 
 }  // namespace idap

@@ -4,10 +4,12 @@
 #include <QString>
 #include <string>
 
+#include "catalog/catalog.h"
+
 namespace idap {
 
 // "book-a" -> "Books 1"; a name that is not known (of a model file) is shown as it is, tidied.
 QString partName(const std::string& slot);
-QString parameterName(const std::string& parameter);
+QString parameterName(const PieceParameter& parameter);
 
 }  // namespace idap

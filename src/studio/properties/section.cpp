@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QWheelEvent>
 
+#include "studio/properties/calm_choice.h"
 #include "studio/widgets/color_button.h"
 #include "studio/widgets/length_field.h"
 #include "studio/widgets/material_picker.h"
@@ -14,20 +15,6 @@
 namespace idap {
 
 namespace {
-
-// A choice that the wheel scrolls past, and that may be narrower than its longest entry.
-class CalmChoice : public QComboBox {
- public:
-  explicit CalmChoice(QWidget* parent) : QComboBox(parent) {
-    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(6);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setFocusPolicy(Qt::StrongFocus);
-  }
-
- protected:
-  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
 
 // Rows without a tip or a label have nothing to translate.
 QString words(const char* english) { return *english ? translated(english) : QString(); }

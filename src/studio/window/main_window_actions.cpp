@@ -24,6 +24,7 @@
 #include "studio/window/dialogs/site_dialog.h"
 #include "studio/window/dialogs/text_dialog.h"
 #include "studio/window/main_window_impl.h"
+#include "studio/window/solid_tools.h"
 
 namespace idap {
 
@@ -326,7 +327,8 @@ void MainWindow::Impl::makeMenus() {
 
   QMenu* drawing = menu(QT_TRANSLATE_NOOP("idap", "&Draw"));
   for (const ToolEntry& tool : tools())
-    drawing->addAction(actions->get(std::string("tool-") + tool.info->id));
+    if (!isSolidTool(*tool.info)) drawing->addAction(actions->get(std::string("tool-") + tool.info->id));
+  menus.emplace_back(addSolidMenu(*drawing, *actions), QT_TRANSLATE_NOOP("idap", "&Solids"));
 
   QMenu* pieces = menu(QT_TRANSLATE_NOOP("idap", "F&urniture"));
   add(pieces, {"find", "import-furniture", ""});
@@ -372,8 +374,10 @@ void MainWindow::Impl::makeToolBars() {
   for (const ToolEntry& tool : tools()) {
     const std::string id = tool.info->id;
     // These two are among the ten.
-    if (id != "select" && id != "eraser") toolBar->addAction(actions->get("tool-" + id));
+    if (id != "select" && id != "eraser" && !isSolidTool(*tool.info))
+      toolBar->addAction(actions->get("tool-" + id));
   }
+  addSolidButton(*toolBar, *actions);
   toolBar->addSeparator();
   for (const char* id : {"zoom-in", "zoom-out", "zoom-fit"}) toolBar->addAction(actions->get(id));
   // What is plain by its picture needs no word.

@@ -193,6 +193,8 @@ class Photographer {
     inHand("tool-opening", {}, {5.2, 4.6}, "");
     inHand("tool-dimension", {{0.15, 0.15}, {5.15, 0.15}}, {3, -0.6}, "");
     inHand("tool-polyline", {{-2, 0}, {-1, 2}}, {-2, 3}, "");
+    inHand("tool-solid-box", {{-2, 0}, {-1, 1}}, {-1, 2}, "");
+    inHand("tool-solid-extrusion", {{-3, 0}, {-1, 0}, {-1, 1}}, {-2, 2}, "");
     inHand("tool-label", {{2, 5}}, {2.2, 5}, "Sofa");
     inHand("tool-camera", {}, {2, 3}, "");
     inHand("tool-eraser", {}, {0.66, 2.05}, "");
