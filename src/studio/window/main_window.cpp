@@ -42,6 +42,7 @@ MainWindow::MainWindow(std::shared_ptr<StudioShared> shared, QWidget* parent)
     : QMainWindow(parent), impl_(std::make_unique<Impl>(this, std::move(shared))) {}
 
 MainWindow::~MainWindow() {
+  delete impl_->film;
   delete impl_->pictures;
   // The widgets listen to the editor, which goes with impl_: they go before it.
   impl_->editor.unsubscribe(impl_->subscription);
@@ -347,6 +348,7 @@ void MainWindow::Impl::showHome(bool open) {
   } else {
     for (QDockWidget* dock : {catalogDock, propertyDock, listDock}) dock->hide();
     if (pictures) pictures->hide();
+    if (film) film->hide();
     welcome->focusFirst();
   }
   retitle();

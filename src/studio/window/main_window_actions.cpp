@@ -245,6 +245,11 @@ void MainWindow::Impl::makeViewActions() {
                          "Makes pictures of any size, one or many at once, and keeps them in the home"),
        "F7"},
       [this] { showPictures(); }));
+  ofHome(actions->add(
+      {"film", QT_TRANSLATE_NOOP("idap", "Fil&m…"),
+       QT_TRANSLATE_NOOP("idap", "A walk through the home, or a day of sunlight, as a film (MP4)"),
+       "Shift+F7"},
+      [this] { showFilm(); }));
   const auto panel = [&](const ActionText& text, QDockWidget* dock) {
     QAction* action = ofHome(actions->addSwitch(text, [dock](bool on) { dock->setVisible(on); }));
     actions->checkBy(action, [dock] { return !dock->isHidden(); });
@@ -345,9 +350,26 @@ void MainWindow::Impl::makeMenus() {
   add(storeys, {"", "level-properties"});
 
   QMenu* view = menu(QT_TRANSLATE_NOOP("idap", "&View"));
-  add(view, {"zoom-in", "zoom-out", "zoom-fit", "zoom-selection", "", "view-all", "view-xy", "view-xz",
-             "view-yz", "view-picture", "maximise", "", "ray-trace", "pictures", "", "panel-catalog",
-             "panel-properties", "panel-lists", ""});
+  add(view, {"zoom-in",
+             "zoom-out",
+             "zoom-fit",
+             "zoom-selection",
+             "",
+             "view-all",
+             "view-xy",
+             "view-xz",
+             "view-yz",
+             "view-picture",
+             "maximise",
+             "",
+             "ray-trace",
+             "pictures",
+             "film",
+             "",
+             "panel-catalog",
+             "panel-properties",
+             "panel-lists",
+             ""});
   addCommands(view, Menu::View);
 
   add(menu(QT_TRANSLATE_NOOP("idap", "&Help")), {"keys", "about"});
@@ -501,6 +523,13 @@ void MainWindow::Impl::rayTrace() {
   if (!views->pictureShown()) views->picture().setPlace(views->live().view().camera());
   views->showPicture(true);
   views->picture().rayTrace();
+}
+
+void MainWindow::Impl::showFilm() {
+  if (!film) film = new FilmWindow(editor, w);
+  film->show();
+  film->raise();
+  film->activateWindow();
 }
 
 void MainWindow::Impl::showPictures() {

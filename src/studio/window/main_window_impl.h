@@ -13,6 +13,7 @@
 
 #include "studio/catalog/catalog_panel.h"
 #include "studio/catalog/finish_panel.h"
+#include "studio/film/film_window.h"
 #include "studio/lists/camera_list.h"
 #include "studio/lists/furniture_list.h"
 #include "studio/lists/message_list.h"
@@ -75,6 +76,7 @@ struct MainWindow::Impl {
   void erase();
   void rayTrace();
   void showPictures();
+  void showFilm();
 
   MainWindow* w;
   std::shared_ptr<StudioShared> shared;
@@ -98,6 +100,7 @@ struct MainWindow::Impl {
   FurnitureList* furniture = nullptr;
   CameraList* cameras = nullptr;
   MessageList* messages = nullptr;
+  FilmWindow* film = nullptr;         // likewise
   PictureWindow* pictures = nullptr;  // null until it is first asked for
   QToolBar *commandBar = nullptr, *toolBar = nullptr;
   QLabel *pointerLabel = nullptr, *selectionLabel = nullptr, *zoomLabel = nullptr;
