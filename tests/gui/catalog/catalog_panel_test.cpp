@@ -67,10 +67,10 @@ class CatalogPanelTest : public testing::Test {
   QListWidget* categories = nullptr;
 };
 
-TEST_F(CatalogPanelTest, ShowsAllPiecesAndTheSixteenCategoriesWithTheirCounts) {
+TEST_F(CatalogPanelTest, ShowsAllPiecesAndTheSeventeenCategoriesWithTheirCounts) {
   open();
   EXPECT_EQ(model().rowCount(), int(catalog->builtinPieces().size()));
-  EXPECT_EQ(categories->count(), 3 + 16);
+  EXPECT_EQ(categories->count(), 3 + 17);
   EXPECT_EQ(categories->item(3)->text(), "Chairs");
   chooseCategory("Beds");
   EXPECT_GT(model().rowCount(), 3);

@@ -27,7 +27,10 @@ class ParametersTest : public testing::Test {
     piece = edit.furniture;
     editor.open(std::make_unique<Document>(edit.home));
     editor.select(only(piece));
-    ASSERT_TRUE(test::waitFor([&] { return panel.findChild<QWidget*>("parametersSection")->isVisible(); }));
+    ASSERT_TRUE(test::waitFor([&] {
+      const auto* section = panel.findChild<QWidget*>("parametersSection");
+      return section && section->isVisible();
+    }));
   }
   template <class T>
   T* field(const char* name) {

@@ -1,4 +1,5 @@
 // Solids drawn with the mouse in the three planes of a real window.
+#include <QMenu>
 #include <QToolButton>
 
 #include "gui/window/window_fixture.h"
