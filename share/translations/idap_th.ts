@@ -1065,10 +1065,6 @@
         <translation>มุมเต็มของลำแสงที่ส่องลง 0 คือส่องรอบทิศ</translation>
     </message>
     <message>
-        <source>Construction</source>
-        <translation>โครงสร้าง</translation>
-    </message>
-    <message>
         <source>Cuts the floor above</source>
         <translation>เจาะพื้นชั้นบน</translation>
     </message>
@@ -1079,10 +1075,6 @@
     <message>
         <source>Makes the hole in the floor above that one climbs through.</source>
         <translation>เจาะช่องในพื้นชั้นบนให้เดินขึ้นไปได้</translation>
-    </message>
-    <message>
-        <source>Change construction</source>
-        <translation>เปลี่ยนโครงสร้าง</translation>
     </message>
     <message>
         <source>Accent</source>
@@ -1563,10 +1555,6 @@
     <message>
         <source>Columns</source>
         <translation>คอลัมน์</translation>
-    </message>
-    <message>
-        <source>Bar of the handle</source>
-        <translation>ก้านมือจับ</translation>
     </message>
     <message>
         <source>Seat height</source>
@@ -4624,6 +4612,614 @@
         <source>Let it go where it shall be; Escape takes it back</source>
         <translation>ปล่อยตรงที่ต้องการ กด Escape เพื่อย้อนกลับ</translation>
     </message>
+    <message>
+        <source>Select a wall, a room or a piece first, or drag the finish onto it</source>
+        <translation>เลือกผนัง ห้อง หรือเฟอร์นิเจอร์ก่อน หรือลากวัสดุไปวางบนสิ่งนั้น</translation>
+    </message>
+    <message>
+        <source>Film of</source>
+        <translation>ภาพยนตร์ของ</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>ผ่าน</translation>
+    </message>
+    <message>
+        <source>Metres a second</source>
+        <translation>เมตรต่อวินาที</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>วันที่</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>จาก</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>ถึง</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>วินาที</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>เฟรมต่อวินาที</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>คุณภาพ</translation>
+    </message>
+    <message>
+        <source>Lamps</source>
+        <translation>โคมไฟ</translation>
+    </message>
+    <message>
+        <source>The film could not be made: %1</source>
+        <translation>สร้างภาพยนตร์ไม่ได้: %1</translation>
+    </message>
+    <message>
+        <source>Film saved as %1</source>
+        <translation>บันทึกภาพยนตร์เป็น %1 แล้ว</translation>
+    </message>
+    <message>
+        <source>Points of view</source>
+        <translation>มุมกล้อง</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>ลักษณะภาพ</translation>
+    </message>
+    <message>
+        <source>Proportions</source>
+        <translation>สัดส่วน</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>พิกเซล</translation>
+    </message>
+    <message>
+        <source>As in 1993</source>
+        <translation>แบบปี 1993</translation>
+    </message>
+    <message>
+        <source>Photograph 10 x 15 cm</source>
+        <translation>ภาพถ่าย 10 x 15 ซม.</translation>
+    </message>
+    <message>
+        <source>Photograph 13 x 18 cm</source>
+        <translation>ภาพถ่าย 13 x 18 ซม.</translation>
+    </message>
+    <message>
+        <source>A4, 150 dots an inch</source>
+        <translation>A4, 150 จุดต่อนิ้ว</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>อิสระ</translation>
+    </message>
+    <message>
+        <source>Delete picture</source>
+        <translation>ลบภาพ</translation>
+    </message>
+    <message>
+        <source>Width × depth × height</source>
+        <translation>กว้าง × ลึก × สูง</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>จำนวน</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>รวม</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>รวมทั้งหมด</translation>
+    </message>
+    <message>
+        <source>Walls of rooms</source>
+        <translation>ผนังของห้อง</translation>
+    </message>
+    <message>
+        <source>Furniture list</source>
+        <translation>รายการเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>Sheet %1 of %2</source>
+        <translation>แผ่นที่ %1 จาก %2</translation>
+    </message>
+    <message>
+        <source>%1: wall %2</source>
+        <translation>%1: ผนัง %2</translation>
+    </message>
+    <message>
+        <source>%1: walls</source>
+        <translation>%1: ผนัง</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>พารามิเตอร์</translation>
+    </message>
+    <message>
+        <source>Change parameters</source>
+        <translation>เปลี่ยนพารามิเตอร์</translation>
+    </message>
+    <message>
+        <source>Pict&amp;ures and gallery…</source>
+        <translation>ภาพและแกลเลอรี(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Makes pictures of any size, one or many at once, and keeps them in the home</source>
+        <translation>สร้างภาพทุกขนาด ทีละภาพหรือหลายภาพพร้อมกัน และเก็บไว้ในบ้าน</translation>
+    </message>
+    <message>
+        <source>Fil&amp;m…</source>
+        <translation>ภาพยนตร์(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>A walk through the home, or a day of sunlight, as a film (MP4)</source>
+        <translation>การเดินชมบ้านหรือแสงแดดตลอดวันเป็นภาพยนตร์ (MP4)</translation>
+    </message>
+    <message>
+        <source>&amp;Solids</source>
+        <translation>รูปทรงตัน(&amp;S)</translation>
+    </message>
+    <message>
+        <source>type a side</source>
+        <translation>พิมพ์ความยาวด้าน</translation>
+    </message>
+    <message>
+        <source>the next side</source>
+        <translation>ด้านถัดไป</translation>
+    </message>
+    <message>
+        <source>take it</source>
+        <translation>ใช้ค่านี้</translation>
+    </message>
+    <message>
+        <source>equal sides</source>
+        <translation>ด้านเท่ากัน</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>กล่อง</translation>
+    </message>
+    <message>
+        <source>Draw boxes in any plane: pillars, steps, built-in furniture</source>
+        <translation>วาดกล่องในระนาบใดก็ได้: เสา ขั้นบันได เฟอร์นิเจอร์บิวท์อิน</translation>
+    </message>
+    <message>
+        <source>Press at one corner and drag to the opposite one, in any plane</source>
+        <translation>กดที่มุมหนึ่งแล้วลากไปมุมตรงข้าม ในระนาบใดก็ได้</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>ทรงกระบอก</translation>
+    </message>
+    <message>
+        <source>Draw cylinders and cones; their round is seen in the plane they are drawn in</source>
+        <translation>วาดทรงกระบอกและกรวย เห็นวงกลมในระนาบที่วาด</translation>
+    </message>
+    <message>
+        <source>Press at one corner of the round and drag to the opposite one, in any plane</source>
+        <translation>กดที่มุมหนึ่งของวงกลมแล้วลากไปมุมตรงข้าม ในระนาบใดก็ได้</translation>
+    </message>
+    <message>
+        <source>Click the opposite corner, or type the sides</source>
+        <translation>คลิกมุมตรงข้าม หรือพิมพ์ความยาวด้าน</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>รูปร่าง</translation>
+    </message>
+    <message>
+        <source>Draw an outline in any plane and give it a thickness: worktops, gables, steps</source>
+        <translation>วาดรูปร่างในระนาบใดก็ได้แล้วให้ความหนา: ท็อปครัว หน้าจั่ว ขั้นบันได</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the outline, in any plane</source>
+        <translation>คลิกมุมแรกของรูปร่าง ในระนาบใดก็ได้</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>งานกลึง</translation>
+    </message>
+    <message>
+        <source>Draw half a profile and turn it about its axis: vases, bowls, columns</source>
+        <translation>วาดครึ่งหนึ่งของรูปตัดแล้วหมุนรอบแกน: แจกัน ชาม เสา</translation>
+    </message>
+    <message>
+        <source>Click where the axis stands and the profile begins, in any plane</source>
+        <translation>คลิกที่ตั้งแกนและจุดเริ่มของรูปตัด ในระนาบใดก็ได้</translation>
+    </message>
+    <message>
+        <source>Click the next corner; click the first one, double-click or Enter to close</source>
+        <translation>คลิกมุมถัดไป คลิกมุมแรก ดับเบิลคลิก หรือกด Enter เพื่อปิดรูป</translation>
+    </message>
+    <message>
+        <source>This outline holds no area: draw at least three corners apart</source>
+        <translation>รูปร่างนี้ไม่มีพื้นที่: วาดอย่างน้อยสามมุมที่แยกกัน</translation>
+    </message>
+    <message>
+        <source>Click the next point of the profile; double-click or Enter to end</source>
+        <translation>คลิกจุดถัดไปของรูปตัด ดับเบิลคลิกหรือกด Enter เพื่อจบ</translation>
+    </message>
+    <message>
+        <source>This profile has no width or no height: draw it beside the axis</source>
+        <translation>รูปตัดนี้ไม่มีความกว้างหรือความสูง: วาดไว้ข้างแกน</translation>
+    </message>
+    <message>
+        <source>Add solid</source>
+        <translation>เพิ่มรูปทรงตัน</translation>
+    </message>
+    <message>
+        <source>Type how far it goes across, or show it in another plane; click or Enter ends</source>
+        <translation>พิมพ์ระยะตามขวาง หรือแสดงในระนาบอื่น คลิกหรือกด Enter เพื่อจบ</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>ทรงกลม</translation>
+    </message>
+    <message>
+        <source>Draw balls; in the plan they lie on the floor</source>
+        <translation>วาดทรงกลม ในแปลนจะวางบนพื้น</translation>
+    </message>
+    <message>
+        <source>Press at the centre and drag to the border, in any plane</source>
+        <translation>กดที่จุดศูนย์กลางแล้วลากไปที่ขอบ ในระนาบใดก็ได้</translation>
+    </message>
+    <message>
+        <source>type the radius</source>
+        <translation>พิมพ์รัศมี</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>รัศมี</translation>
+    </message>
+    <message>
+        <source>Click on the border, or type the radius</source>
+        <translation>คลิกที่ขอบ หรือพิมพ์รัศมี</translation>
+    </message>
+    <message>
+        <source>Height of the apron</source>
+        <translation>ความสูงของพนักใต้ท็อป</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>แกน</translation>
+    </message>
+    <message>
+        <source>Depth of the bar</source>
+        <translation>ความลึกของบาร์</translation>
+    </message>
+    <message>
+        <source>Thickness of the boards</source>
+        <translation>ความหนาของแผ่นไม้</translation>
+    </message>
+    <message>
+        <source>Drawers on both sides</source>
+        <translation>ลิ้นชักทั้งสองด้าน</translation>
+    </message>
+    <message>
+        <source>Brackets</source>
+        <translation>ฉากรับ</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>กระดุม</translation>
+    </message>
+    <message>
+        <source>Channels in the back</source>
+        <translation>ร่องที่พนัก</translation>
+    </message>
+    <message>
+        <source>Curtains</source>
+        <translation>ผ้าม่าน</translation>
+    </message>
+    <message>
+        <source>Drops of glass</source>
+        <translation>หยดแก้ว</translation>
+    </message>
+    <message>
+        <source>Edge of the top</source>
+        <translation>ขอบท็อป</translation>
+    </message>
+    <message>
+        <source>Width of the frame</source>
+        <translation>ความกว้างของกรอบ</translation>
+    </message>
+    <message>
+        <source>Fronts</source>
+        <translation>หน้าบาน</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>มือจับ</translation>
+    </message>
+    <message>
+        <source>Legs set in by</source>
+        <translation>ระยะร่นของขา</translation>
+    </message>
+    <message>
+        <source>Height of the feet</source>
+        <translation>ความสูงของขา</translation>
+    </message>
+    <message>
+        <source>Thickness of the legs</source>
+        <translation>ความหนาของขา</translation>
+    </message>
+    <message>
+        <source>Oven</source>
+        <translation>เตาอบ</translation>
+    </message>
+    <message>
+        <source>Padded seat</source>
+        <translation>เบาะนั่งบุนุ่ม</translation>
+    </message>
+    <message>
+        <source>Pedestal</source>
+        <translation>ตู้ข้าง</translation>
+    </message>
+    <message>
+        <source>Pillows</source>
+        <translation>หมอน</translation>
+    </message>
+    <message>
+        <source>Piping</source>
+        <translation>กุ๊นขอบ</translation>
+    </message>
+    <message>
+        <source>Rounding of the edges</source>
+        <translation>ความมนของขอบ</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>รูปทรง</translation>
+    </message>
+    <message>
+        <source>Shelf below</source>
+        <translation>ชั้นด้านล่าง</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>จำนวนด้าน</translation>
+    </message>
+    <message>
+        <source>Smooth curve</source>
+        <translation>เส้นโค้งเรียบ</translation>
+    </message>
+    <message>
+        <source>Stretcher between the legs</source>
+        <translation>คานระหว่างขา</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>แบบ</translation>
+    </message>
+    <message>
+        <source>Width of the end</source>
+        <translation>ความกว้างของปลาย</translation>
+    </message>
+    <message>
+        <source>Turned posts</source>
+        <translation>เสากลึง</translation>
+    </message>
+    <message>
+        <source>Hangs on the wall</source>
+        <translation>แขวนบนผนัง</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>เรียบ</translation>
+    </message>
+    <message>
+        <source>Shaker</source>
+        <translation>เชคเกอร์</translation>
+    </message>
+    <message>
+        <source>Panelled</source>
+        <translation>ลูกฟัก</translation>
+    </message>
+    <message>
+        <source>Slats</source>
+        <translation>ซี่ไม้</translation>
+    </message>
+    <message>
+        <source>Louvres</source>
+        <translation>บานเกล็ด</translation>
+    </message>
+    <message>
+        <source>Knobs</source>
+        <translation>ปุ่มจับ</translation>
+    </message>
+    <message>
+        <source>Cups</source>
+        <translation>มือจับถ้วย</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>ขอบจับ</translation>
+    </message>
+    <message>
+        <source>Tapered</source>
+        <translation>เรียว</translation>
+    </message>
+    <message>
+        <source>Splayed</source>
+        <translation>ขากาง</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>ขาบล็อก</translation>
+    </message>
+    <message>
+        <source>Metal frame</source>
+        <translation>โครงโลหะ</translation>
+    </message>
+    <message>
+        <source>Sledge</source>
+        <translation>ขาเลื่อน</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>กลม</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>สี่เหลี่ยมจัตุรัส</translation>
+    </message>
+    <message>
+        <source>Rectangular</source>
+        <translation>สี่เหลี่ยมผืนผ้า</translation>
+    </message>
+    <message>
+        <source>Soft corners</source>
+        <translation>มุมมน</translation>
+    </message>
+    <message>
+        <source>Buns</source>
+        <translation>ขาลูกกลม</translation>
+    </message>
+    <message>
+        <source>Tapered underneath</source>
+        <translation>เรียวลงด้านล่าง</translation>
+    </message>
+    <message>
+        <source>Bellied</source>
+        <translation>โค้งป่อง</translation>
+    </message>
+    <message>
+        <source>Straight</source>
+        <translation>ตรง</translation>
+    </message>
+    <message>
+        <source>With a rim</source>
+        <translation>มีขอบยก</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>แนวตั้ง</translation>
+    </message>
+    <message>
+        <source>Left to right</source>
+        <translation>ซ้ายไปขวา</translation>
+    </message>
+    <message>
+        <source>Front to back</source>
+        <translation>หน้าไปหลัง</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>พีระมิด</translation>
+    </message>
+    <message>
+        <source>Tulip foot</source>
+        <translation>ขาทิวลิป</translation>
+    </message>
+    <message>
+        <source>Writing table</source>
+        <translation>โต๊ะเขียนหนังสือ</translation>
+    </message>
+    <message>
+        <source>With pedestals</source>
+        <translation>มีตู้ข้าง</translation>
+    </message>
+    <message>
+        <source>Arched</source>
+        <translation>โค้งบน</translation>
+    </message>
+    <message>
+        <source>Bow</source>
+        <translation>โค้ง</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>ซี่หวี</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>เรียบง่าย</translation>
+    </message>
+    <message>
+        <source>Wooden legs</source>
+        <translation>ขาไม้</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>ตาข่าย</translation>
+    </message>
+    <message>
+        <source>Padded</source>
+        <translation>บุนุ่ม</translation>
+    </message>
+    <message>
+        <source>Drum</source>
+        <translation>ทรงกลอง</translation>
+    </message>
+    <message>
+        <source>Slatted</source>
+        <translation>ระแนง</translation>
+    </message>
+    <message>
+        <source>Tufted</source>
+        <translation>ดึงดุม</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>ร่องตั้ง</translation>
+    </message>
+    <message>
+        <source>Dome</source>
+        <translation>โดม</translation>
+    </message>
+    <message>
+        <source>Globe</source>
+        <translation>ลูกโลก</translation>
+    </message>
+    <message>
+        <source>Paper lantern</source>
+        <translation>โคมกระดาษ</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>จาน</translation>
+    </message>
+    <message>
+        <source>Tripod</source>
+        <translation>สามขา</translation>
+    </message>
+    <message>
+        <source>Tulips</source>
+        <translation>ทิวลิป</translation>
+    </message>
+    <message>
+        <source>Daisies</source>
+        <translation>เดซี</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>ภาพ PNG</translation>
+    </message>
+    <message>
+        <source>JPEG picture</source>
+        <translation>ภาพ JPEG</translation>
+    </message>
+    <message>
+        <source>OpenEXR picture with layers</source>
+        <translation>ภาพ OpenEXR พร้อมเลเยอร์</translation>
+    </message>
+    <message>
+        <source>PCX picture of 256 colours</source>
+        <translation>ภาพ PCX 256 สี</translation>
+    </message>
+    <message>
+        <source>GIF picture of 256 colours</source>
+        <translation>ภาพ GIF 256 สี</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -4985,6 +5581,13 @@
     </message>
 </context>
 <context>
+    <name>idap::CompareView</name>
+    <message>
+        <source>Tick a point of view and press Ray Trace. Every picture is kept below, with the home.</source>
+        <translation>ทำเครื่องหมายมุมกล้องแล้วกดเรนเดอร์ ทุกภาพจะเก็บไว้ด้านล่างพร้อมกับบ้าน</translation>
+    </message>
+</context>
+<context>
     <name>idap::CompassFace</name>
     <message>
         <source>N</source>
@@ -5115,6 +5718,132 @@
     </message>
 </context>
 <context>
+    <name>idap::FilmWindow</name>
+    <message>
+        <source>Film</source>
+        <translation>ภาพยนตร์</translation>
+    </message>
+    <message>
+        <source>A walk through the home</source>
+        <translation>เดินชมบ้าน</translation>
+    </message>
+    <message>
+        <source>A day of sunlight</source>
+        <translation>แสงแดดตลอดวัน</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>ร่าง</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>ดี</translation>
+    </message>
+    <message>
+        <source>Better</source>
+        <translation>ดีกว่า</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>ดีที่สุด</translation>
+    </message>
+    <message>
+        <source>As in the home</source>
+        <translation>ตามในบ้าน</translation>
+    </message>
+    <message>
+        <source>All on</source>
+        <translation>เปิดทั้งหมด</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>ปิดทั้งหมด</translation>
+    </message>
+    <message>
+        <source>The points of view that are ticked, in this order; a day is filmed from the first</source>
+        <translation>มุมกล้องที่ทำเครื่องหมายตามลำดับนี้ แสงแดดตลอดวันถ่ายจากมุมแรก</translation>
+    </message>
+    <message>
+        <source>Points of view</source>
+        <translation>มุมกล้อง</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>ก่อนหน้า</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>ถัดไป</translation>
+    </message>
+    <message>
+        <source>Make the film…</source>
+        <translation>สร้างภาพยนตร์…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>หยุด</translation>
+    </message>
+    <message>
+        <source>Stops, and keeps the film so far</source>
+        <translation>หยุดและเก็บภาพยนตร์เท่าที่ทำแล้ว</translation>
+    </message>
+    <message>
+        <source>The film shows here while it is made.</source>
+        <translation>ภาพยนตร์จะแสดงที่นี่ขณะสร้าง</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>กล้อง %1</translation>
+    </message>
+    <message>
+        <source>tick a point of view to film from, or add cameras (C)</source>
+        <translation>ทำเครื่องหมายมุมกล้องที่จะถ่าย หรือเพิ่มกล้อง (C)</translation>
+    </message>
+    <message>
+        <source>%1 seconds of film; making it takes about %2 min.</source>
+        <translation>ภาพยนตร์ %1 วินาที ใช้เวลาสร้างประมาณ %2 นาที</translation>
+    </message>
+    <message>
+        <source>Make the film</source>
+        <translation>สร้างภาพยนตร์</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4)</source>
+        <translation>ภาพยนตร์ (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>บ้าน</translation>
+    </message>
+    <message>
+        <source>Making a film</source>
+        <translation>กำลังสร้างภาพยนตร์</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>เหลือ %1</translation>
+    </message>
+    <message>
+        <source>preparing…</source>
+        <translation>กำลังเตรียม…</translation>
+    </message>
+</context>
+<context>
+    <name>idap::FinishPanel</name>
+    <message>
+        <source>Search finishes</source>
+        <translation>ค้นหาวัสดุ</translation>
+    </message>
+    <message>
+        <source>Finishes</source>
+        <translation>วัสดุ</translation>
+    </message>
+    <message>
+        <source>Drag one onto a wall, a floor or a piece. A double click gives it to what is selected.</source>
+        <translation>ลากไปวางบนผนัง พื้น หรือเฟอร์นิเจอร์ ดับเบิลคลิกเพื่อใช้กับสิ่งที่เลือก</translation>
+    </message>
+</context>
+<context>
     <name>idap::FurnitureList</name>
     <message>
         <source>Filter</source>
@@ -5143,6 +5872,31 @@
     <message>
         <source>Rename</source>
         <translation>เปลี่ยนชื่อ</translation>
+    </message>
+</context>
+<context>
+    <name>idap::GalleryList</name>
+    <message>
+        <source>Picture</source>
+        <translation>ภาพ</translation>
+    </message>
+    <message>
+        <source>Classic, as in 1993</source>
+        <translation>คลาสสิกแบบปี 1993</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) a pixel</source>
+        <translation>
+            <numerusform>%n ตัวอย่างต่อพิกเซล</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Made %1</source>
+        <translation>สร้างเมื่อ %1</translation>
+    </message>
+    <message>
+        <source>Reading a picture</source>
+        <translation>กำลังอ่านภาพ</translation>
     </message>
 </context>
 <context>
@@ -5246,6 +6000,45 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>Stop</source>
         <translation>หยุด</translation>
+    </message>
+</context>
+<context>
+    <name>idap::JobList</name>
+    <message>
+        <source>Look at it while it is made</source>
+        <translation>ดูขณะกำลังสร้าง</translation>
+    </message>
+    <message>
+        <source>Pause, and go on</source>
+        <translation>หยุดพักและทำต่อ</translation>
+    </message>
+    <message>
+        <source>Stop here and keep the picture as it is</source>
+        <translation>หยุดตรงนี้และเก็บภาพไว้ตามที่เป็น</translation>
+    </message>
+    <message>
+        <source>Give this picture up</source>
+        <translation>ยกเลิกภาพนี้</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>รออยู่</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>หยุดพัก</translation>
+    </message>
+    <message>
+        <source>keeping…</source>
+        <translation>กำลังเก็บ…</translation>
+    </message>
+    <message>
+        <source>preparing…</source>
+        <translation>กำลังเตรียม…</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>เหลือ %1</translation>
     </message>
 </context>
 <context>
@@ -5559,6 +6352,10 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <source>Welcome</source>
         <translation>ยินดีต้อนรับ</translation>
     </message>
+    <message>
+        <source>Finishes</source>
+        <translation>วัสดุ</translation>
+    </message>
 </context>
 <context>
     <name>idap::MaterialPicker</name>
@@ -5740,10 +6537,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>นิ้ว</translation>
     </message>
     <message>
-        <source>Y (most models)</source>
-        <translation>Y (โมเดลส่วนใหญ่)</translation>
-    </message>
-    <message>
         <source>Z</source>
         <translation>Z</translation>
     </message>
@@ -5800,14 +6593,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>ระดับจากพื้น</translation>
     </message>
     <message>
-        <source>Turn 90°</source>
-        <translation>หมุน 90°</translation>
-    </message>
-    <message>
-        <source>Turn it until its front looks at you</source>
-        <translation>หมุนจนด้านหน้าหันหาคุณ</translation>
-    </message>
-    <message>
         <source>What one unit of the file stands for: sets the size</source>
         <translation>หนึ่งหน่วยในไฟล์แทนอะไร: กำหนดขนาด</translation>
     </message>
@@ -5836,12 +6621,44 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>%1 สามเหลี่ยม</translation>
     </message>
     <message>
-        <source>How the piece will look</source>
-        <translation>หน้าตาของชิ้นนี้</translation>
+        <source>Y</source>
+        <translation>Y</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>ตัวอย่าง</translation>
+        <source>Parts</source>
+        <translation>ส่วนประกอบ</translation>
+    </message>
+    <message>
+        <source>Turn it by 90° to the left, until its front looks at you</source>
+        <translation>หมุนไปทางซ้าย 90° จนด้านหน้าหันมาทางคุณ</translation>
+    </message>
+    <message>
+        <source>Turn it by 90° to the right, until its front looks at you</source>
+        <translation>หมุนไปทางขวา 90° จนด้านหน้าหันมาทางคุณ</translation>
+    </message>
+    <message>
+        <source>Turn to the left</source>
+        <translation>หมุนซ้าย</translation>
+    </message>
+    <message>
+        <source>Turn to the right</source>
+        <translation>หมุนขวา</translation>
+    </message>
+    <message>
+        <source>Keep the pictures of the file</source>
+        <translation>เก็บรูปภาพในไฟล์ไว้</translation>
+    </message>
+    <message>
+        <source>Without, parts have a plain colour, and the home is smaller</source>
+        <translation>ถ้าไม่เก็บ ส่วนต่าง ๆ จะเป็นสีเรียบ และไฟล์บ้านจะเล็กลง</translation>
+    </message>
+    <message>
+        <source>Drag to look at it from all sides</source>
+        <translation>ลากเพื่อดูรอบด้าน</translation>
+    </message>
+    <message>
+        <source>Drag turns it, the wheel comes nearer</source>
+        <translation>ลากเพื่อหมุน ล้อเมาส์เพื่อเข้าใกล้</translation>
     </message>
 </context>
 <context>
@@ -5887,6 +6704,116 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>This must be a whole number.</source>
         <translation>ต้องเป็นจำนวนเต็ม</translation>
+    </message>
+</context>
+<context>
+    <name>idap::PartFinishes</name>
+    <message>
+        <source>Part %1</source>
+        <translation>ส่วนที่ %1</translation>
+    </message>
+    <message>
+        <source>Picture of the file</source>
+        <translation>รูปภาพในไฟล์</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>ตามในไฟล์</translation>
+    </message>
+    <message>
+        <source>Material, colour or picture of this part.</source>
+        <translation>วัสดุ สี หรือรูปภาพของส่วนนี้</translation>
+    </message>
+</context>
+<context>
+    <name>idap::PictureForm</name>
+    <message>
+        <source>Own size</source>
+        <translation>ขนาดกำหนดเอง</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>ร่าง</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>ดี</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>ดีที่สุด</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>ตามเวลา</translation>
+    </message>
+    <message>
+        <source>Ray-traced light</source>
+        <translation>แสงจากการติดตามรังสี</translation>
+    </message>
+    <message>
+        <source>Classic, as in 1993</source>
+        <translation>คลาสสิกแบบปี 1993</translation>
+    </message>
+    <message>
+        <source>As in the home</source>
+        <translation>ตามในบ้าน</translation>
+    </message>
+    <message>
+        <source>All on</source>
+        <translation>เปิดทั้งหมด</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>ปิดทั้งหมด</translation>
+    </message>
+    <message>
+        <source>Every point of view that is ticked becomes a picture</source>
+        <translation>ทุกมุมกล้องที่ทำเครื่องหมายจะกลายเป็นภาพ</translation>
+    </message>
+    <message>
+        <source>Points of view</source>
+        <translation>มุมกล้อง</translation>
+    </message>
+    <message>
+        <source>Upright or across</source>
+        <translation>แนวตั้งหรือแนวนอน</translation>
+    </message>
+    <message>
+        <source>At another time</source>
+        <translation>ในเวลาอื่น</translation>
+    </message>
+    <message>
+        <source>Day and hour of these pictures, at the home&apos;s place; otherwise the point of view&apos;s</source>
+        <translation>วันและเวลาของภาพเหล่านี้ ณ ที่ตั้งบ้าน มิฉะนั้นใช้ของมุมกล้อง</translation>
+    </message>
+    <message>
+        <source>The live view, as it is now</source>
+        <translation>มุมมองสดตามที่เป็นอยู่ตอนนี้</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>จากด้านบน</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>กล้อง %1</translation>
+    </message>
+    <message>
+        <source>Ray Trace %1 pictures</source>
+        <translation>เรนเดอร์ %1 ภาพ</translation>
+    </message>
+    <message>
+        <source>Ray Trace</source>
+        <translation>เรนเดอร์</translation>
+    </message>
+    <message>
+        <source>Live view</source>
+        <translation>มุมมองสด</translation>
+    </message>
+    <message>
+        <source>Tick at least one point of view.</source>
+        <translation>ทำเครื่องหมายมุมกล้องอย่างน้อยหนึ่งมุม</translation>
     </message>
 </context>
 <context>
@@ -5978,6 +6905,100 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>Back to the live view</source>
         <translation>กลับไปมุมมองสด</translation>
+    </message>
+    <message>
+        <source>Where the live view stands</source>
+        <translation>ตำแหน่งของมุมมองสด</translation>
+    </message>
+</context>
+<context>
+    <name>idap::PictureQueue</name>
+    <message>
+        <source>Keeping the picture</source>
+        <translation>กำลังเก็บภาพ</translation>
+    </message>
+</context>
+<context>
+    <name>idap::PictureWindow</name>
+    <message>
+        <source>Now</source>
+        <translation>ตอนนี้</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>รูปภาพ</translation>
+    </message>
+    <message>
+        <source>Gallery of the home</source>
+        <translation>แกลเลอรีของบ้าน</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>อีกครั้ง</translation>
+    </message>
+    <message>
+        <source>Makes this picture again, of the home as it is now, and compares the two</source>
+        <translation>สร้างภาพนี้อีกครั้งจากบ้านในตอนนี้ และเปรียบเทียบทั้งสองภาพ</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>เปรียบเทียบ</translation>
+    </message>
+    <message>
+        <source>Lays another picture beside this one, with a divider to drag</source>
+        <translation>วางอีกภาพข้างภาพนี้โดยมีเส้นแบ่งให้ลาก</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>บันทึก…</translation>
+    </message>
+    <message>
+        <source>As PNG, JPEG, PCX or GIF; as OpenEXR while the program runs in which it was made</source>
+        <translation>เป็น PNG, JPEG, PCX หรือ GIF และเป็น OpenEXR ได้ขณะที่โปรแกรมที่สร้างภาพยังเปิดอยู่</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>คัดลอก</translation>
+    </message>
+    <message>
+        <source>Into the clipboard</source>
+        <translation>ไปยังคลิปบอร์ด</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>เปลี่ยนชื่อ</translation>
+    </message>
+    <message>
+        <source>Gives this picture another name (F2)</source>
+        <translation>ตั้งชื่อใหม่ให้ภาพนี้ (F2)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>ลบ</translation>
+    </message>
+    <message>
+        <source>Takes this picture out of the gallery; can be undone</source>
+        <translation>นำภาพนี้ออกจากแกลเลอรี เลิกทำได้</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1 ก่อนหน้า</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>บันทึกภาพ</translation>
+    </message>
+    <message>
+        <source>%1 should end in .png, .jpg, .pcx, .gif or .exr</source>
+        <translation>%1 ควรลงท้ายด้วย .png, .jpg, .pcx, .gif หรือ .exr</translation>
+    </message>
+    <message>
+        <source>an OpenEXR file needs the light it was made of; make the picture again first</source>
+        <translation>ไฟล์ OpenEXR ต้องใช้แสงที่สร้างภาพ สร้างภาพอีกครั้งก่อน</translation>
+    </message>
+    <message>
+        <source>Saving the picture</source>
+        <translation>กำลังบันทึกภาพ</translation>
     </message>
 </context>
 <context>
@@ -6137,20 +7158,8 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
 <context>
     <name>idap::PrintDialog</name>
     <message>
-        <source>It is printed at 1:%1.</source>
-        <translation>พิมพ์ที่ 1:%1</translation>
-    </message>
-    <message>
-        <source>It does not fit on this page at that scale; 1:%1 does.</source>
-        <translation>มาตราส่วนนี้ไม่พอดีกับหน้ากระดาษ ใช้ 1:%1 ได้</translation>
-    </message>
-    <message>
         <source>Print</source>
         <translation>พิมพ์</translation>
-    </message>
-    <message>
-        <source>P&amp;lane</source>
-        <translation>ระนาบ(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Scale</source>
@@ -6207,6 +7216,50 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>Landscape</source>
         <translation>แนวนอน</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>หน้าก่อน</translation>
+    </message>
+    <message>
+        <source>The next page</source>
+        <translation>หน้าถัดไป</translation>
+    </message>
+    <message>
+        <source>Tick what to print.</source>
+        <translation>ทำเครื่องหมายสิ่งที่จะพิมพ์</translation>
+    </message>
+    <message>
+        <source>One page.</source>
+        <translation>หนึ่งหน้า</translation>
+    </message>
+    <message>
+        <source>%1 pages.</source>
+        <translation>%1 หน้า</translation>
+    </message>
+    <message>
+        <source>It is printed at %1.</source>
+        <translation>พิมพ์ที่มาตราส่วน %1</translation>
+    </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>แผ่น(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Plans of all &amp;levels</source>
+        <translation>แปลนของทุกชั้น(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Save as S&amp;VG…</source>
+        <translation>บันทึกเป็น SVG(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Save as SVG</source>
+        <translation>บันทึกเป็น SVG</translation>
+    </message>
+    <message>
+        <source>The SVG cannot be written.</source>
+        <translation>เขียนไฟล์ SVG ไม่ได้</translation>
     </message>
 </context>
 <context>
