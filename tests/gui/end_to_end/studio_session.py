@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The real program on a display of its own, used as a person does, with keys and mouse: a new room, ten pieces, a door
-and a window, undo all, redo all, save, reopen, quit. What was saved is judged by `idap info`.
+and a window, undo all, redo all, save, reopen, print, quit. What was saved is judged by `idap info`.
 
     studio_session.py BIN_FOLDER
 
@@ -229,6 +229,23 @@ def use(session):
     session.shoot("reopened")
     again = session.save_as("again.idap")
     expect("the home opened and saved again is the same", again.read_bytes() == furnished.read_bytes(), True)
+
+    plan = session.folder / "plan.pdf"
+    session.focus_main()
+    session.keys("ctrl+p")
+    session.focus("Print")
+    session.keys("alt+s")
+    session.type("1:50")
+    session.shoot("print")
+    session.keys("alt+d")
+    session.focus("Save as PDF")
+    session.keys("ctrl+a")
+    session.type(str(plan))
+    session.keys("Return")
+    session.wait(plan.exists, "the plan to be printed")
+    if shutil.which("pdftotext"):
+        text = subprocess.run(["pdftotext", "-layout", str(plan), "-"], capture_output=True, text=True).stdout
+        expect("the print says its scale", "Scale 1:50" in text, True)
 
     session.focus_main()
     session.keys("ctrl+q")
