@@ -138,8 +138,12 @@ int Section::labelWidth() const {
 }
 
 bool Section::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == body() && event->type() == QEvent::Resize) {
-    for (const Row& row : rows_) fit(row);
+  // Rows that come while the section is hidden know no width yet: they get theirs when it is laid out.
+  const QEvent::Type type = event->type();
+  if (watched == body() &&
+      (type == QEvent::Resize || type == QEvent::LayoutRequest || type == QEvent::Show)) {
+    if (type == QEvent::Resize)
+      for (const Row& row : rows_) fit(row);
     for (int i = 0; i < form_->rowCount(); ++i)
       if (const QLayoutItem* label = form_->itemAt(i, QFormLayout::LabelRole); label && label->widget())
         label->widget()->setFixedWidth(labelWidth());

@@ -29,11 +29,11 @@ QMenu* addSolidMenu(QMenu& to, const WindowActions& actions) {
 
 void addSolidButton(QToolBar& to, const WindowActions& actions) {
   auto* button = new QToolButton(&to);
-  button->setObjectName(QStringLiteral("solidButton"));
   button->setPopupMode(QToolButton::MenuButtonPopup);
   button->setAutoRaise(true);
   button->setIconSize(to.iconSize());
-  button->setToolButtonStyle(to.toolButtonStyle());
+  // Of one width whichever tool it shows; what is plain by its picture needs no word.
+  button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   auto* menu = new QMenu(button);
   addTools(*menu, actions);
   button->setMenu(menu);
@@ -43,9 +43,8 @@ void addSolidButton(QToolBar& to, const WindowActions& actions) {
     QObject::connect(action, &QAction::toggled, button, [button, action](bool taken) {
       if (taken) button->setDefaultAction(action);
     });
-  QObject::connect(&to, &QToolBar::toolButtonStyleChanged, button, &QToolButton::setToolButtonStyle);
   QObject::connect(&to, &QToolBar::iconSizeChanged, button, &QToolButton::setIconSize);
-  to.addWidget(button);
+  to.addWidget(button)->setObjectName(QStringLiteral("solid"));  // the toolbar names its buttons after this
 }
 
 }  // namespace idap
