@@ -54,6 +54,8 @@ class Baker {
   void add(const render::Instance& instance) {
     const Mesh& mesh = *built_.scene->meshes[instance.mesh];
     const Transformf& t = instance.transform;
+    const Transformf cofactor = t.cofactor();
+    const float sign = t.determinant() < 0 ? -1.0f : 1.0f;
     const std::size_t first = positions_.size();
     for (const Vec3f& p : mesh.positions) positions_.push_back(t.point(p));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -64,11 +66,13 @@ class Baker {
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t v = mesh.triangles[i][std::size_t(k)];
         triangle.position[k] = first + v;
-        if (!mesh.normals.empty()) triangle.normal[k] = normal(normalized(t.normal(mesh.normals[v])));
+        if (!mesh.normals.empty())
+          triangle.normal[k] = normal(normalized(cofactor.vector(mesh.normals[v]) * sign));
         if (!mesh.uvs.empty()) triangle.uv[k] = uv(mesh.uvs[v], materials_[material]);
       }
-      if (t.determinant() < 0) std::swap(triangle.position[1], triangle.position[2]),
-          std::swap(triangle.normal[1], triangle.normal[2]), std::swap(triangle.uv[1], triangle.uv[2]);
+      if (t.determinant() < 0)
+        std::swap(triangle.position[1], triangle.position[2]),
+            std::swap(triangle.normal[1], triangle.normal[2]), std::swap(triangle.uv[1], triangle.uv[2]);
       triangles_[material].push_back(triangle);
     }
   }
@@ -152,9 +156,10 @@ class Baker {
     const double exponent = std::clamp(2 / std::pow(double(alpha), 4) - 2, 0.0, 1000.0);
     const double specular = s.roughness > 0.85f ? 0 : s.metalness > 0.5f ? 0.9 : 0.3;
     const double opacity = s.opacity * (1 - 0.85 * double(s.transmission));
-    fmt::format_to(std::back_inserter(mtl),
-                   "newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs {:.3f} {:.3f} {:.3f}\nNs {:.1f}\nd {:.3f}\nillum 2\n", name,
-                   c.r, c.g, c.b, specular, specular, specular, exponent, opacity);
+    fmt::format_to(
+        std::back_inserter(mtl),
+        "newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs {:.3f} {:.3f} {:.3f}\nNs {:.1f}\nd {:.3f}\nillum 2\n", name,
+        c.r, c.g, c.b, specular, specular, specular, exponent, opacity);
     if (!s.baseColorMap) return;
     std::string& file = pictures[s.baseColorMap.get()];
     if (file.empty()) {

@@ -14,8 +14,8 @@
 namespace idap {
 
 struct BakedFurniture {
-  // An OBJ with its materials and pictures, by file name. Y up and the front towards +Z, as furniture libraries
-  // have it; metres; the middle of the base at the origin.
+  // An OBJ with its materials and pictures, by file name. Y up and the front towards +Z, as furniture
+  // libraries have it; metres; the middle of the base at the origin.
   std::map<std::string, SharedBytes> files;
   std::string main;                // which of them is the model
   Vec3 size;                       // m: width, depth, height

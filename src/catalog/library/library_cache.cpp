@@ -14,7 +14,7 @@ namespace idap {
 namespace {
 
 // Raised whenever what visit() walks over changes.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::string_view kMagic = "IDAPlib";
 
 class Writer {
@@ -107,7 +107,7 @@ void visit(Archive& a, Lamp& l) {
 template <class Archive>
 void visit(Archive& a, CatalogPiece& p) {
   visit(a, p.id), visit(a, p.name), visit(a, p.category), visit(a, p.tags), visit(a, p.kind),
-      visit(a, p.size);
+      visit(a, p.size), visit(a, p.minSize), visit(a, p.maxSize);
   visit(a, p.elevation), visit(a, p.ceilingMounted), visit(a, p.price), visit(a, p.creator),
       visit(a, p.license);
   visit(a, p.library), visit(a, p.translations), visit(a, p.lamp), visit(a, p.staircaseCutOut);

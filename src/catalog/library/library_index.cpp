@@ -179,6 +179,10 @@ std::optional<LibraryIndex::Entry> readPiece(const PieceFields& fields, std::uin
   piece.category = fields.text("category");
   piece.tags = fields.list("tags");
   piece.elevation = fields.length("elevation").value_or(0);
+  piece.minSize = {fields.length("minWidth").value_or(0), fields.length("minDepth").value_or(0),
+                   fields.length("minHeight").value_or(0)};
+  piece.maxSize = {fields.length("maxWidth").value_or(0), fields.length("maxDepth").value_or(0),
+                   fields.length("maxHeight").value_or(0)};
   piece.price = fields.number("price");
   piece.creator = fields.text("creator");
   if (const auto top = fields.length("dropOnTopElevation"); top && *top >= 0) piece.dropOnTopHeight = *top;

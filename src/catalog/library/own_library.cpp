@@ -221,7 +221,8 @@ OwnLibrary::OwnLibrary(std::filesystem::path file) : file_(std::move(file)) {
     const auto also = thai.find(number);
     OwnPiece piece = pieceOf(fields, also == thai.end() ? Fields() : also->second);
     std::string model = text(fields, "model"), icon = text(fields, "icon");
-    for (std::string* path : {&model, &icon}) path->erase(0, std::min(path->find_first_not_of('/'), path->size()));
+    for (std::string* path : {&model, &icon})
+      path->erase(0, std::min(path->find_first_not_of('/'), path->size()));
     if (piece.id.empty() || find(piece.id) || !archive.contains(model)) continue;
     filesOf_[piece.id] = {model, icon};
     pieces_.push_back(std::move(piece));
@@ -274,7 +275,8 @@ void OwnLibrary::remove(const std::string& id) {
   const auto files = filesOf_.find(id);
   if (files == filesOf_.end()) return;
   const std::string folder = files->second.model.substr(0, files->second.model.rfind('/') + 1);
-  if (!folder.empty()) std::erase_if(entries_, [&](const auto& entry) { return entry.first.starts_with(folder); });
+  if (!folder.empty())
+    std::erase_if(entries_, [&](const auto& entry) { return entry.first.starts_with(folder); });
   filesOf_.erase(files);
   std::erase_if(pieces_, [&](const OwnPiece& p) { return p.id == id; });
 }

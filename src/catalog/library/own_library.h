@@ -1,5 +1,5 @@
-// The user's own furniture: an SH3F library that pieces are added to, changed in and taken out of. Sweet Home 3D
-// reads such files too. Keys of the tables: those of Sweet Home 3D's DefaultFurnitureCatalog.
+// The user's own furniture: an SH3F library that pieces are added to, changed in and taken out of. Sweet Home
+// 3D reads such files too. Keys of the tables: those of Sweet Home 3D's DefaultFurnitureCatalog.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace idap {
 
 // All that is said of a piece beside its model. Metres.
 struct OwnPiece {
-  std::string id;  // "own/…", once in the library
+  std::string id;                      // "own/…", once in the library
   std::string name, category;          // English
   std::string nameThai, categoryThai;  // empty: as in English
   std::string creator;
@@ -24,7 +24,7 @@ struct OwnPiece {
   std::optional<double> price;
   std::string currency = "EUR";  // of the price
   Vec3 size;
-  Vec3 minSize, maxSize;     // 0: any
+  Vec3 minSize, maxSize;  // 0: any
   bool resizable = true, keepProportions = false, movable = true;
   double elevation = 0;
   std::optional<Lamp> lamp;

@@ -5,15 +5,19 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSettings>
 #include <QSplitter>
 #include <QToolButton>
 
+#include "base/error.h"
+#include "catalog/library/own_library.h"
 #include "editor/tools/place_tool.h"
 #include "studio/catalog/catalog_model.h"
 #include "studio/catalog/category_list.h"
 #include "studio/catalog/chip_row.h"
 #include "studio/catalog/favourites.h"
+#include "studio/catalog/own_furniture_dialog.h"
 #include "studio/catalog/piece_grid.h"
 #include "studio/catalog/piece_tags.h"
 #include "studio/catalog/thumbnail_store.h"
@@ -76,6 +80,7 @@ struct CatalogPanel::Impl : public QObject {
   void onSettings();
   void place(const CatalogPiecePtr& piece);
   void showMenu(const CatalogPiecePtr& piece, QPoint at);
+  void askToDelete(const CatalogPiecePtr& piece);
   QString describe(const CatalogPiece& piece) const;
   void layOut();
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -318,7 +323,40 @@ void CatalogPanel::Impl::showMenu(const CatalogPiecePtr& piece, QPoint at) {
   like->setCheckable(true);
   like->setChecked(favourites.isLiked(id));
   connect(like, &QAction::toggled, this, [this, id](bool on) { favourites.setLiked(id, on); });
+  if (OwnFurnitureDialog::isOwn(piece->id)) {
+    menu.addSeparator();
+    menu.addAction(CatalogPanel::tr("Change…"), this, [this, piece] {
+      auto* dialog = new OwnFurnitureDialog(editor, piece->id, self);
+      dialog->setAttribute(Qt::WA_DeleteOnClose);
+      connect(dialog, &OwnFurnitureDialog::saved, self, &CatalogPanel::reload);
+      dialog->open();
+    });
+    menu.addAction(CatalogPanel::tr("Delete…"), this, [this, piece] { askToDelete(piece); });
+  }
   menu.exec(at);
+}
+
+void CatalogPanel::Impl::askToDelete(const CatalogPiecePtr& piece) {
+  auto* box = new QMessageBox(
+      QMessageBox::Question, CatalogPanel::tr("Delete furniture"),
+      CatalogPanel::tr("Delete %1 from the catalog?").arg(toQt(piece->nameIn(editor.settings().language))),
+      QMessageBox::Yes | QMessageBox::Cancel, self);
+  box->setObjectName(QStringLiteral("deleteOwn"));
+  box->setInformativeText(CatalogPanel::tr("Homes that use it will show a box in its place."));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(box, &QMessageBox::finished, this, [this, piece](int answer) {
+    if (answer != QMessageBox::Yes) return;
+    try {
+      OwnLibrary library;
+      library.remove(piece->id);
+      library.save();
+    } catch (const Error& error) {
+      editor.say({QT_TRANSLATE_NOOP("idap", "The catalog could not be changed: %1"), {error.what()}},
+                 Editor::Severity::Error);
+    }
+    self->reload();
+  });
+  box->open();
 }
 
 QString CatalogPanel::Impl::describe(const CatalogPiece& piece) const {

@@ -7,10 +7,12 @@
 #include <QToolButton>
 
 #include "base/file.h"
+#include "catalog/library/own_library.h"
 #include "editor/commands/command.h"
 #include "formats/registry.h"
 #include "model/edits/element_edits.h"
 #include "studio/catalog/import_dialog.h"
+#include "studio/catalog/own_furniture_dialog.h"
 #include "studio/widgets/icons.h"
 #include "studio/widgets/texts.h"
 #include "studio/window/clipboard.h"
@@ -166,6 +168,22 @@ void MainWindow::Impl::makeEditActions() {
       {"import-furniture", QT_TRANSLATE_NOOP("idap", "&Import furniture…"),
        QT_TRANSLATE_NOOP("idap", "Adds a model of your own, or a library of furniture, to the catalog")},
       [this] { importFurniture(); }));
+  ofHome(actions->add(
+             {"save-as-furniture", QT_TRANSLATE_NOOP("idap", "&Save as furniture…"),
+              QT_TRANSLATE_NOOP("idap", "Makes one piece of what is selected and keeps it in the catalog")},
+             [this] {
+               auto* dialog = new OwnFurnitureDialog(editor, w);
+               QObject::connect(dialog, &OwnFurnitureDialog::saved, catalog, &CatalogPanel::reload);
+               showDialog(dialog);
+             }),
+         [this] {
+           const Elements& e = editor.selection();
+           return !e.furniture.empty() || !e.groups.empty() || !e.openings.empty();
+         });
+  actions->add(
+      {"export-furniture", QT_TRANSLATE_NOOP("idap", "E&xport own furniture…"),
+       QT_TRANSLATE_NOOP("idap", "Writes your furniture as a library (SH3F) that Sweet Home 3D opens, too")},
+      [this] { exportFurniture(); });
   ofHome(actions->add({"text", QT_TRANSLATE_NOOP("idap", "&Title and notes…"),
                        QT_TRANSLATE_NOOP("idap", "The title on prints, and notes about the home"), "Ctrl+T",
                        QT_TRANSLATE_NOOP("idap", "Text")},
@@ -336,7 +354,7 @@ void MainWindow::Impl::makeMenus() {
   menus.emplace_back(addSolidMenu(*drawing, *actions), QT_TRANSLATE_NOOP("idap", "&Solids"));
 
   QMenu* pieces = menu(QT_TRANSLATE_NOOP("idap", "F&urniture"));
-  add(pieces, {"find", "import-furniture", ""});
+  add(pieces, {"find", "import-furniture", "save-as-furniture", "export-furniture", ""});
   addCommands(pieces, Menu::Furniture);
 
   QMenu* plan = menu(QT_TRANSLATE_NOOP("idap", "&Plan"));
@@ -443,7 +461,7 @@ void MainWindow::Impl::showContextMenu(QPoint global) {
     popup->addSeparator();
     for (const char* id : {"zoom-fit", "maximise", "ray-trace"}) popup->addAction(actions->get(id));
   } else {
-    for (const char* id : {"property", "cut", "copy", "paste", "paste-style"})
+    for (const char* id : {"property", "cut", "copy", "paste", "paste-style", "save-as-furniture"})
       popup->addAction(actions->get(id));
   }
   popup->addSeparator();
@@ -486,6 +504,28 @@ void MainWindow::Impl::openDropped(const QString& file) {
   } else {
     importFurniture(file);
   }
+}
+
+void MainWindow::Impl::exportFurniture() {
+  auto* dialog = new QFileDialog(w, MainWindow::tr("Export own furniture"), preferences.lastFolder(),
+                                 MainWindow::tr("Furniture libraries") + QStringLiteral(" (*.sh3f)"));
+  dialog->setObjectName(QStringLiteral("furnitureFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("sh3f"));
+  dialog->selectFile(MainWindow::tr("My furniture") + QStringLiteral(".sh3f"));
+  QObject::connect(dialog, &QFileDialog::fileSelected, w, [this](const QString& file) {
+    try {
+      const OwnLibrary library;
+      if (library.pieces().empty()) throw Error("there is no furniture of your own yet");
+      writeFileAtomically(fromQt(file), library.pack());
+      editor.say({QT_TRANSLATE_NOOP("idap", "Exported your furniture as %1"), {fromQt(file)}});
+    } catch (const Error& error) {
+      editor.say({QT_TRANSLATE_NOOP("idap", "Your furniture could not be exported: %1"), {error.what()}},
+                 Editor::Severity::Error);
+    }
+  });
+  dialog->open();
 }
 
 void MainWindow::Impl::exportCsv() {
