@@ -5220,6 +5220,38 @@
         <source>GIF picture of 256 colours</source>
         <translation>ภาพ GIF 256 สี</translation>
     </message>
+    <message>
+        <source>The catalog could not be changed: %1</source>
+        <translation>เปลี่ยนแคตตาล็อกไม่ได้: %1</translation>
+    </message>
+    <message>
+        <source>%1 is in the catalog</source>
+        <translation>%1 อยู่ในแคตตาล็อกแล้ว</translation>
+    </message>
+    <message>
+        <source>&amp;Save as furniture…</source>
+        <translation>บันทึกเป็นเฟอร์นิเจอร์(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Makes one piece of what is selected and keeps it in the catalog</source>
+        <translation>รวมสิ่งที่เลือกเป็นชิ้นเดียวและเก็บไว้ในแคตตาล็อก</translation>
+    </message>
+    <message>
+        <source>E&amp;xport own furniture…</source>
+        <translation>ส่งออกเฟอร์นิเจอร์ของฉัน(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Writes your furniture as a library (SH3F) that Sweet Home 3D opens, too</source>
+        <translation>เขียนเฟอร์นิเจอร์ของคุณเป็นคลัง (SH3F) ที่ Sweet Home 3D เปิดได้ด้วย</translation>
+    </message>
+    <message>
+        <source>Exported your furniture as %1</source>
+        <translation>ส่งออกเฟอร์นิเจอร์ของคุณเป็น %1 แล้ว</translation>
+    </message>
+    <message>
+        <source>Your furniture could not be exported: %1</source>
+        <translation>ส่งออกเฟอร์นิเจอร์ของคุณไม่ได้: %1</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -5529,6 +5561,26 @@
     <message>
         <source>Pieces: %1</source>
         <translation>จำนวนชิ้น: %1</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>แก้ไข…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>ลบ…</translation>
+    </message>
+    <message>
+        <source>Delete furniture</source>
+        <translation>ลบเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>Delete %1 from the catalog?</source>
+        <translation>ลบ %1 ออกจากแคตตาล็อกหรือไม่</translation>
+    </message>
+    <message>
+        <source>Homes that use it will show a box in its place.</source>
+        <translation>บ้านที่ใช้ชิ้นนี้จะแสดงกล่องแทน</translation>
     </message>
 </context>
 <context>
@@ -6356,6 +6408,18 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <source>Finishes</source>
         <translation>วัสดุ</translation>
     </message>
+    <message>
+        <source>Export own furniture</source>
+        <translation>ส่งออกเฟอร์นิเจอร์ของฉัน</translation>
+    </message>
+    <message>
+        <source>Furniture libraries</source>
+        <translation>คลังเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>My furniture</source>
+        <translation>เฟอร์นิเจอร์ของฉัน</translation>
+    </message>
 </context>
 <context>
     <name>idap::MaterialPicker</name>
@@ -6704,6 +6768,109 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>This must be a whole number.</source>
         <translation>ต้องเป็นจำนวนเต็ม</translation>
+    </message>
+</context>
+<context>
+    <name>idap::OwnFurnitureDialog</name>
+    <message>
+        <source>My furniture</source>
+        <translation>เฟอร์นิเจอร์ของฉัน</translation>
+    </message>
+    <message>
+        <source>Can be resized</source>
+        <translation>ปรับขนาดได้</translation>
+    </message>
+    <message>
+        <source>Keeps its proportions</source>
+        <translation>คงสัดส่วน</translation>
+    </message>
+    <message>
+        <source>Being made…</source>
+        <translation>กำลังสร้าง…</translation>
+    </message>
+    <message>
+        <source>&amp;Name (English)</source>
+        <translation>ชื่อ (อังกฤษ)(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Name (&amp;Thai)</source>
+        <translation>ชื่อ (ไทย)(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Category</source>
+        <translation>หมวดหมู่(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Category (Thai)</source>
+        <translation>หมวดหมู่ (ไทย)</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>แท็ก(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Words to find it by, with commas</source>
+        <translation>คำค้นหา คั่นด้วยจุลภาค</translation>
+    </message>
+    <message>
+        <source>&amp;Price (%1)</source>
+        <translation>ราคา (%1)(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>ความกว้าง</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>ความลึก</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>ความสูง</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>ถึง</translation>
+    </message>
+    <message>
+        <source>Not smaller than this; empty: any size</source>
+        <translation>ไม่เล็กกว่านี้ ว่างไว้: ทุกขนาด</translation>
+    </message>
+    <message>
+        <source>Not larger than this; empty: any size</source>
+        <translation>ไม่ใหญ่กว่านี้ ว่างไว้: ทุกขนาด</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 จาก</translation>
+    </message>
+    <message>
+        <source>Making furniture of the selection</source>
+        <translation>กำลังสร้างเฟอร์นิเจอร์จากสิ่งที่เลือก</translation>
+    </message>
+    <message>
+        <source>Materials: %1</source>
+        <translation>วัสดุ: %1</translation>
+    </message>
+    <message>
+        <source>The price is not a number.</source>
+        <translation>ราคาไม่ใช่ตัวเลข</translation>
+    </message>
+    <message>
+        <source>The smallest size is larger than the largest.</source>
+        <translation>ขนาดเล็กสุดใหญ่กว่าขนาดใหญ่สุด</translation>
+    </message>
+    <message>
+        <source>Save as furniture</source>
+        <translation>บันทึกเป็นเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>Change furniture</source>
+        <translation>แก้ไขเฟอร์นิเจอร์</translation>
+    </message>
+    <message>
+        <source>C&amp;reator</source>
+        <translation>ผู้สร้าง(&amp;R)</translation>
     </message>
 </context>
 <context>

@@ -169,7 +169,7 @@ class Baker {
         for (std::size_t k = 0; k < 3; ++k) image.rgb[3 * i + k] = s.baseColorMap->rgba[4 * i + k];
       baked.files[file] = std::make_shared<const Bytes>(render::encodePicture(image, "png"));
     }
-    mtl += "map_Kd " + file + '\n';
+    mtl += fmt::format("map_Kd {}\n", file);
   }
 
   const BuiltScene& built_;

@@ -135,7 +135,7 @@ OwnPiece pieceOf(const Fields& f, const Fields& thai) {
 class Table {
  public:
   void put(const std::string& key, const std::string& value) {
-    if (!value.empty()) out_ += key + '=' + escaped(value) + '\n';
+    if (!value.empty()) out_ += fmt::format("{}={}\n", key, escaped(value));
   }
   SharedBytes bytes() const {
     const auto* first = reinterpret_cast<const std::byte*>(out_.data());
@@ -157,17 +157,18 @@ std::string joined(const std::vector<std::string>& words) {
 
 void write(Table& table, Table& thai, const OwnPiece& p, const std::string& model, const std::string& icon,
            std::size_t number) {
-  std::string mark = "#";
-  mark += std::to_string(number);
-  const auto put = [&](const char* key, const std::string& value) { table.put(key + mark, value); };
+  const std::string mark = fmt::format("#{}", number);
+  const auto put = [&](const char* key, const std::string& value) {
+    table.put(fmt::format("{}{}", key, mark), value);
+  };
   const auto length = [&](const char* key, double metres) {
     if (metres > 0) put(key, centimetres(metres));
   };
   put("id", p.id);
   put("name", p.name);
   put("category", p.category);
-  put("icon", "/" + icon);
-  put("model", "/" + model);
+  put("icon", icon.empty() ? icon : fmt::format("/{}", icon));
+  put("model", fmt::format("/{}", model));
   put("multiPartModel", "true");
   length("width", p.size.x);
   length("depth", p.size.y);
@@ -194,18 +195,18 @@ void write(Table& table, Table& thai, const OwnPiece& p, const std::string& mode
     for (const LightSource& source : p.lamp->sources) {
       const Vec3 at = source.position * p.size;
       const char* blank = x.empty() ? "" : " ";
-      x += blank + centimetres(at.x);
-      y += blank + centimetres(at.y);
-      z += blank + centimetres(at.z);
-      colors += blank + std::string("#FFFFFF");
+      x += fmt::format("{}{}", blank, centimetres(at.x));
+      y += fmt::format("{}{}", blank, centimetres(at.y));
+      z += fmt::format("{}{}", blank, centimetres(at.z));
+      colors += fmt::format("{}#FFFFFF", blank);
     }
     put("lightSourceX", x);
     put("lightSourceY", y);
     put("lightSourceZ", z);
     put("lightSourceColor", colors);
   }
-  thai.put("name" + mark, p.nameThai);
-  thai.put("category" + mark, p.categoryThai);
+  thai.put(fmt::format("name{}", mark), p.nameThai);
+  thai.put(fmt::format("category{}", mark), p.categoryThai);
 }
 
 }  // namespace
@@ -256,11 +257,11 @@ void OwnLibrary::add(OwnPiece piece, const std::map<std::string, SharedBytes>& f
                      SharedBytes icon) {
   remove(piece.id);
   std::string folder = piece.id.substr(piece.id.find('/') + 1);
-  for (const auto& [name, bytes] : files) entries_[folder + '/' + name] = bytes;
+  for (const auto& [name, bytes] : files) entries_[fmt::format("{}/{}", folder, name)] = bytes;
   Files& places = filesOf_[piece.id];
-  places.model = folder + '/' + main;
+  places.model = fmt::format("{}/{}", folder, main);
   if (icon) {
-    places.icon = folder + "/icon.png";
+    places.icon = fmt::format("{}/icon.png", folder);
     entries_[places.icon] = std::move(icon);
   }
   pieces_.push_back(std::move(piece));

@@ -22,6 +22,7 @@ namespace idap {
 namespace {
 
 constexpr int kSide = 192;  // pixels of the picture
+const std::string kFolder = "models/own/";
 
 struct Made {
   BakedFurniture baked;
@@ -31,11 +32,11 @@ struct Made {
 // The piece as it will be, for its picture.
 Image8 pictureOf(const Catalog& catalog, const BakedFurniture& baked, const Progress& progress) {
   Furniture piece;
-  piece.model.asset = "models/own/" + baked.main;
+  piece.model.asset = kFolder + baked.main;
   piece.size = baked.size;
   piece.lamp = baked.lamp;
   auto assets = std::make_shared<Assets>();
-  for (const auto& [name, bytes] : baked.files) (*assets)["models/own/" + name] = bytes;
+  for (const auto& [name, bytes] : baked.files) (*assets)[kFolder + name] = bytes;
   return renderThumbnail(catalog, piece, assets, kSide, progress);
 }
 
@@ -108,7 +109,7 @@ void OwnFurnitureDialog::Impl::build() {
   form->addRow(tr("Name (&Thai)"), nameThai);
   form->addRow(tr("&Category"), category);
   form->addRow(tr("Category (Thai)"), categoryThai);
-  form->addRow(tr("Crea&tor"), creator);
+  form->addRow(tr("C&reator"), creator);
   form->addRow(tr("Ta&gs"), tags);
   tags->setPlaceholderText(tr("Words to find it by, with commas"));
   form->addRow(tr("&Price (%1)").arg(toQt(editor.home().currency)), price);
