@@ -34,7 +34,9 @@ TEST(VideoWriter, WritesAFilmThatReadsBack) {
   EXPECT_NEAR(film.seconds, 1.2, 0.001);
   EXPECT_TRUE(film.everyFrameAsLong);
   EXPECT_TRUE(film.bt709);
-  if (writer.remark().empty()) EXPECT_EQ(film.codec, "h264");
+  if (writer.remark().empty()) {
+    EXPECT_EQ(film.codec, "h264");
+  }
   EXPECT_EQ(folder.files(), 1u);
 }
 
