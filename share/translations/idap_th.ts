@@ -5936,12 +5936,6 @@
         <source>Classic, as in 1993</source>
         <translation>คลาสสิกแบบปี 1993</translation>
     </message>
-    <message numerus="yes">
-        <source>%n sample(s) a pixel</source>
-        <translation>
-            <numerusform>%n ตัวอย่างต่อพิกเซล</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Made %1</source>
         <translation>สร้างเมื่อ %1</translation>
@@ -5949,6 +5943,10 @@
     <message>
         <source>Reading a picture</source>
         <translation>กำลังอ่านภาพ</translation>
+    </message>
+    <message>
+        <source>Samples a pixel: %1</source>
+        <translation>ตัวอย่างต่อพิกเซล: %1</translation>
     </message>
 </context>
 <context>

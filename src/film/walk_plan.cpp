@@ -58,8 +58,19 @@ void addTake(FilmPlan& plan, const std::vector<Camera>& poses, double stretch, s
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds * plan.framesPerSecond)));
   if (!plan.frames.empty()) plan.cuts.push_back(plan.frames.size());
   for (std::size_t i = 0; i < frames; ++i) {
-    const double at = static_cast<double>(i) / plan.framesPerSecond / stretch / CameraPath::kStep;
-    Camera frame = poses[std::min(poses.size() - 1, static_cast<std::size_t>(at))];
+    const double at = std::min(static_cast<double>(i) / plan.framesPerSecond / stretch / CameraPath::kStep,
+                               static_cast<double>(poses.size() - 1));
+    const auto before = static_cast<std::size_t>(at);
+    Camera frame = poses[before];
+    if (before + 1 < poses.size()) {
+      // Between two poses: a frame of the nearer one would make the walk stutter.
+      const Camera& after = poses[before + 1];
+      const double share = at - static_cast<double>(before);
+      frame.eye += (after.eye - frame.eye) * share;
+      frame.yaw += std::remainder(after.yaw - frame.yaw, 2 * kPi) * share;
+      frame.pitch += (after.pitch - frame.pitch) * share;
+      frame.fieldOfView += (after.fieldOfView - frame.fieldOfView) * share;
+    }
     frame.time = time;
     plan.frames.push_back(std::move(frame));
   }

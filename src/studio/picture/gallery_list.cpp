@@ -73,7 +73,7 @@ QString GalleryList::describe(const Picture& picture) {
   if (s.classic)
     lines << tr("Classic, as in 1993");
   else
-    lines << tr("%n sample(s) a pixel", nullptr, picture.samples);
+    lines << tr("Samples a pixel: %1").arg(picture.samples);
   lines << tr("Made %1").arg(
       QLocale().toString(QDateTime::fromMSecsSinceEpoch(picture.made), QLocale::ShortFormat));
   return lines.join(QLatin1Char('\n'));

@@ -49,7 +49,8 @@ struct PicturePanel::Impl {
   PictureWorker worker;
 
   CameraId chosen;
-  std::optional<Camera> place;  // of the live view; chosen is kHere
+  std::optional<Camera> place;  // where the live view stood last
+  bool byUser = false;          // chosen since then
   std::optional<Home> traced;   // what the picture shows
   int samples = 64;
   double seconds = 20;
@@ -279,6 +280,7 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
   connect(d.canvas, &PictureCanvas::doubleClicked, this, &PicturePanel::maximiseRequested);
   connect(d.camera, &QComboBox::currentIndexChanged, this, [&d] {
     d.chosen = CameraId{d.camera->currentData().toULongLong()};
+    d.byUser = true;
     d.showTime();
   });
 
@@ -319,13 +321,17 @@ PicturePanel::~PicturePanel() { impl_->editor.unsubscribe(impl_->subscription); 
 
 void PicturePanel::setCamera(CameraId camera) {
   impl_->chosen = camera;
+  impl_->byUser = true;
   impl_->listCameras();
 }
 
 void PicturePanel::setPlace(const Camera& place) {
-  impl_->place = place;
-  impl_->chosen = kHere;
-  impl_->listCameras();
+  Impl& d = *impl_;
+  const bool moved = !d.place || !(*d.place == place);
+  d.place = place;
+  if (moved && !d.byUser) d.chosen = kHere;
+  d.byUser = false;
+  d.listCameras();
 }
 
 void PicturePanel::rayTrace() {

@@ -18,7 +18,8 @@ class PicturePanel : public QWidget {
 
   // The camera to see from; CameraId{}: from above.
   void setCamera(CameraId camera);
-  // A place that is none of the home's cameras, where the live view stands: sees from there.
+  // Where the live view stands: sees from there, unless a camera was chosen since that was said the last
+  // time.
   void setPlace(const Camera& place);
   void rayTrace();  // begins a picture of the home as it is now, in place of one being made
   void stop();
