@@ -261,12 +261,12 @@ void MainWindow::Impl::makeViewActions() {
       {"pictures", QT_TRANSLATE_NOOP("idap", "Pict&ures and gallery…"),
        QT_TRANSLATE_NOOP("idap",
                          "Makes pictures of any size, one or many at once, and keeps them in the home"),
-       "F7"},
+       "F4"},
       [this] { showPictures(); }));
   ofHome(actions->add(
       {"film", QT_TRANSLATE_NOOP("idap", "Fil&m…"),
        QT_TRANSLATE_NOOP("idap", "A walk through the home, or a day of sunlight, as a film (MP4)"),
-       "Shift+F7"},
+       "Shift+F4"},
       [this] { showFilm(); }));
   const auto panel = [&](const ActionText& text, QDockWidget* dock) {
     QAction* action = ofHome(actions->addSwitch(text, [dock](bool on) { dock->setVisible(on); }));

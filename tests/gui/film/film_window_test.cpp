@@ -74,6 +74,11 @@ TEST_F(FilmWindowTest, AShortFilmIsMadeWhileTheDesignGoesOn) {
   rate->selectAll();
   QTest::keyClicks(rate, "5");
   QTest::keyClick(rate, Qt::Key_Tab);
+  // From one place only: a look, no walk.
+  auto* stops = part<QListWidget>("filmStops");
+  stops->setFocus();
+  stops->setCurrentRow(1);
+  QTest::keyClick(stops, Qt::Key_Space);
   QTemporaryDir folder;
   const QString file = folder.filePath("walk.mp4");
   QSignalSpy done(window.get(), &FilmWindow::finished);

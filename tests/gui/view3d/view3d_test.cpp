@@ -48,7 +48,7 @@ class View3dTest : public testing::Test {
   }
   View3d& view() { return panel_->view(); }
   bool settle() {
-    return waitFor([this] { return view().upToDate() && view().samples() >= 1; });
+    return waitFor([this] { return view().upToDate() && view().samples() >= 1; }, 60'000);
   }
   Vec3 chair() { return editor_.home().furniture.find(chair_)->position; }
   // A pixel where the chair is seen.
