@@ -29,6 +29,8 @@ void measureStart() {
 // `idap print` becomes this program without a window.
 int printWithoutWindow(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  // What Qt has to say of a machine without a desktop is of no use to who prints.
+  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
   QApplication application(argc, argv);
   const QStringList arguments = QApplication::arguments().mid(2);
   const qsizetype language = arguments.indexOf(QStringLiteral("--language"));

@@ -27,7 +27,7 @@ using testing::StartsWith;
 class Program : public test::ProgramTest {};
 
 TEST_F(Program, HelpAndVersionEverywhere) {
-  for (const std::string command : {"", "info", "render", "convert", "catalog"}) {
+  for (const std::string command : {"", "info", "render", "film", "print", "convert", "catalog"}) {
     const Outcome help = run(command + " --help");
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_THAT(help.out, HasSubstr("--help")) << command;

@@ -276,7 +276,8 @@ OwnFurnitureDialog::OwnFurnitureDialog(Editor& editor, const std::string& id, QW
   setWindowTitle(tr("Change furniture"));
   impl_->id = id;
   impl_->build();
-  impl_->picture->clear();
+  impl_->picture->hide();  // it stays as it is
+  impl_->facts->hide();
   try {
     const OwnLibrary library;
     if (const OwnPiece* piece = library.find(id)) impl_->piece = *piece;

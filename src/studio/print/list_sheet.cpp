@@ -88,7 +88,7 @@ Bill billOf(const SheetContext& context) {
 void paintRows(QPainter& p, const QRectF& area, const Bill& table, std::size_t from, std::size_t to,
                bool last) {
   const QRectF all = inTenths(p, area);
-  const double price = table.priced ? 260 : 0, count = 130, size = std::min(620.0, all.width() * 0.36);
+  const double price = table.priced ? 260 : 0, count = 190, size = std::min(620.0, all.width() * 0.36);
   const double nameLeft = kPicture + 20, right = all.width();
   const double sizeLeft = right - 2 * price - count - size, countLeft = right - 2 * price - count;
   const auto cell = [&](double x, double w, double y, double h, int alignment, const QString& words) {
