@@ -4617,68 +4617,12 @@
         <translation>เลือกผนัง ห้อง หรือเฟอร์นิเจอร์ก่อน หรือลากวัสดุไปวางบนสิ่งนั้น</translation>
     </message>
     <message>
-        <source>Film of</source>
-        <translation>ภาพยนตร์ของ</translation>
-    </message>
-    <message>
-        <source>Through</source>
-        <translation>ผ่าน</translation>
-    </message>
-    <message>
-        <source>Metres a second</source>
-        <translation>เมตรต่อวินาที</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>วันที่</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>จาก</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>ถึง</translation>
-    </message>
-    <message>
-        <source>Seconds</source>
-        <translation>วินาที</translation>
-    </message>
-    <message>
-        <source>Frames a second</source>
-        <translation>เฟรมต่อวินาที</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>คุณภาพ</translation>
-    </message>
-    <message>
-        <source>Lamps</source>
-        <translation>โคมไฟ</translation>
-    </message>
-    <message>
         <source>The film could not be made: %1</source>
         <translation>สร้างภาพยนตร์ไม่ได้: %1</translation>
     </message>
     <message>
         <source>Film saved as %1</source>
         <translation>บันทึกภาพยนตร์เป็น %1 แล้ว</translation>
-    </message>
-    <message>
-        <source>Points of view</source>
-        <translation>มุมกล้อง</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>ลักษณะภาพ</translation>
-    </message>
-    <message>
-        <source>Proportions</source>
-        <translation>สัดส่วน</translation>
-    </message>
-    <message>
-        <source>Pixels</source>
-        <translation>พิกเซล</translation>
     </message>
     <message>
         <source>As in 1993</source>
@@ -5251,6 +5195,74 @@
     <message>
         <source>Your furniture could not be exported: %1</source>
         <translation>ส่งออกเฟอร์นิเจอร์ของคุณไม่ได้: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Film of</source>
+        <translation>ภาพยนตร์ของ(&amp;F)</translation>
+    </message>
+    <message>
+        <source>T&amp;hrough</source>
+        <translation>ผ่าน(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Metres a &amp;second</source>
+        <translation>เมตรต่อวินาที(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>วันที่(&amp;D)</translation>
+    </message>
+    <message>
+        <source>F&amp;rom</source>
+        <translation>จาก(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>ถึง(&amp;T)</translation>
+    </message>
+    <message>
+        <source>S&amp;econds</source>
+        <translation>วินาที(&amp;E)</translation>
+    </message>
+    <message>
+        <source>S&amp;ize</source>
+        <translation>ขนาด(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Frames &amp;a second</source>
+        <translation>เฟรมต่อวินาที(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>คุณภาพ(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Lamps</source>
+        <translation>โคมไฟ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Points of view</source>
+        <translation>มุมกล้อง(&amp;P)</translation>
+    </message>
+    <message>
+        <source>L&amp;ook</source>
+        <translation>ลักษณะภาพ(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Proportio&amp;ns</source>
+        <translation>สัดส่วน(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Pi&amp;xels</source>
+        <translation>พิกเซล(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this point of view</source>
+        <translation>เก็บมุมมองนี้(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Keeps where the live view stands as a camera of the home</source>
+        <translation>เก็บตำแหน่งของมุมมองสดไว้เป็นกล้องของบ้าน</translation>
     </message>
 </context>
 <context>
@@ -5828,14 +5840,6 @@
         <translation>ถัดไป</translation>
     </message>
     <message>
-        <source>Make the film…</source>
-        <translation>สร้างภาพยนตร์…</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>หยุด</translation>
-    </message>
-    <message>
         <source>Stops, and keeps the film so far</source>
         <translation>หยุดและเก็บภาพยนตร์เท่าที่ทำแล้ว</translation>
     </message>
@@ -5878,6 +5882,14 @@
     <message>
         <source>preparing…</source>
         <translation>กำลังเตรียม…</translation>
+    </message>
+    <message>
+        <source>&amp;Make the film…</source>
+        <translation>สร้างภาพยนตร์(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>St&amp;op</source>
+        <translation>หยุด(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -6945,10 +6957,6 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>แนวตั้งหรือแนวนอน</translation>
     </message>
     <message>
-        <source>At another time</source>
-        <translation>ในเวลาอื่น</translation>
-    </message>
-    <message>
         <source>Day and hour of these pictures, at the home&apos;s place; otherwise the point of view&apos;s</source>
         <translation>วันและเวลาของภาพเหล่านี้ ณ ที่ตั้งบ้าน มิฉะนั้นใช้ของมุมกล้อง</translation>
     </message>
@@ -6965,20 +6973,24 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>กล้อง %1</translation>
     </message>
     <message>
-        <source>Ray Trace %1 pictures</source>
-        <translation>เรนเดอร์ %1 ภาพ</translation>
-    </message>
-    <message>
-        <source>Ray Trace</source>
-        <translation>เรนเดอร์</translation>
-    </message>
-    <message>
         <source>Live view</source>
         <translation>มุมมองสด</translation>
     </message>
     <message>
         <source>Tick at least one point of view.</source>
         <translation>ทำเครื่องหมายมุมกล้องอย่างน้อยหนึ่งมุม</translation>
+    </message>
+    <message>
+        <source>At another &amp;time</source>
+        <translation>ในเวลาอื่น(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Ray Trace %1 pictures</source>
+        <translation>เรนเดอร์ %1 ภาพ(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Ray Trace</source>
+        <translation>เรนเดอร์(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -7098,48 +7110,24 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <translation>แกลเลอรีของบ้าน</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>อีกครั้ง</translation>
-    </message>
-    <message>
         <source>Makes this picture again, of the home as it is now, and compares the two</source>
         <translation>สร้างภาพนี้อีกครั้งจากบ้านในตอนนี้ และเปรียบเทียบทั้งสองภาพ</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>เปรียบเทียบ</translation>
     </message>
     <message>
         <source>Lays another picture beside this one, with a divider to drag</source>
         <translation>วางอีกภาพข้างภาพนี้โดยมีเส้นแบ่งให้ลาก</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>บันทึก…</translation>
-    </message>
-    <message>
         <source>As PNG, JPEG, PCX or GIF; as OpenEXR while the program runs in which it was made</source>
         <translation>เป็น PNG, JPEG, PCX หรือ GIF และเป็น OpenEXR ได้ขณะที่โปรแกรมที่สร้างภาพยังเปิดอยู่</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>คัดลอก</translation>
     </message>
     <message>
         <source>Into the clipboard</source>
         <translation>ไปยังคลิปบอร์ด</translation>
     </message>
     <message>
-        <source>Rename</source>
-        <translation>เปลี่ยนชื่อ</translation>
-    </message>
-    <message>
         <source>Gives this picture another name (F2)</source>
         <translation>ตั้งชื่อใหม่ให้ภาพนี้ (F2)</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>ลบ</translation>
     </message>
     <message>
         <source>Takes this picture out of the gallery; can be undone</source>
@@ -7164,6 +7152,30 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>Saving the picture</source>
         <translation>กำลังบันทึกภาพ</translation>
+    </message>
+    <message>
+        <source>A&amp;gain</source>
+        <translation>อีกครั้ง(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>เปรียบเทียบ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>บันทึก(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>คัดลอก(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me</source>
+        <translation>เปลี่ยนชื่อ(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>ลบ(&amp;D)</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,7 @@ std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home, cons
           {"dimensions", home.dimensions.size()},
           {"labels", home.labels.size()},
           {"polylines", home.polylines.size()},
+          {"pictures", home.pictures.size()},
           {"triangles", triangles}};
 }
 

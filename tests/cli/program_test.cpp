@@ -98,7 +98,7 @@ TEST_F(Program, InfoCountsTheSample) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   for (const char* key : {"levels", "walls", "rooms", "pieces", "groups", "openings", "lamps", "cameras",
-                          "dimensions", "labels", "polylines", "triangles"})
+                          "dimensions", "labels", "polylines", "pictures", "triangles"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["cameras"], 3);
   EXPECT_GE(json["rooms"], 2);

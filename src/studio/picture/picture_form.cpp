@@ -104,23 +104,25 @@ void PictureForm::Impl::build() {
   across->addWidget(height, 1);
   across->addWidget(turn);
   auto* column = new QVBoxLayout(&form);
-  const auto heading = [&](const char* words) {
+  const auto heading = [&](const char* words, QWidget* of) {
     auto* label = new QLabel;
+    label->setBuddy(of);
     labels.emplace_back(label, words);
     return label;
   };
-  column->addWidget(heading(QT_TRANSLATE_NOOP("idap", "Points of view")));
+  const auto row = [&](const char* words, QWidget* field) { rows->addRow(heading(words, field), field); };
+  column->addWidget(heading(QT_TRANSLATE_NOOP("idap", "&Points of view"), views));
   column->addWidget(views, 1);
   rows = new QFormLayout;
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   rows->setRowWrapPolicy(QFormLayout::DontWrapRows);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Look")), look);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Size")), size);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Proportions")), proportion);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Pixels")), across);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Quality")), quality);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Seconds")), seconds);
-  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Lamps")), lamps);
+  row(QT_TRANSLATE_NOOP("idap", "L&ook"), look);
+  row(QT_TRANSLATE_NOOP("idap", "S&ize"), size);
+  row(QT_TRANSLATE_NOOP("idap", "Proportio&ns"), proportion);
+  rows->addRow(heading(QT_TRANSLATE_NOOP("idap", "Pi&xels"), width), across);
+  row(QT_TRANSLATE_NOOP("idap", "&Quality"), quality);
+  row(QT_TRANSLATE_NOOP("idap", "S&econds"), seconds);
+  row(QT_TRANSLATE_NOOP("idap", "&Lamps"), lamps);
   rows->addRow(ownTime, time);
   column->addLayout(rows);
   column->addWidget(trouble);
@@ -183,7 +185,7 @@ void PictureForm::Impl::fill() {
   views->setToolTip(tr("Every point of view that is ticked becomes a picture"));
   views->setAccessibleName(tr("Points of view"));
   turn->setToolTip(tr("Upright or across"));
-  ownTime->setText(tr("At another time"));
+  ownTime->setText(tr("At another &time"));
   ownTime->setToolTip(
       tr("Day and hour of these pictures, at the home's place; otherwise the point of view's"));
   time->setDisplayFormat(QLocale().dateFormat(QLocale::ShortFormat) + QStringLiteral(" HH:mm"));
@@ -250,7 +252,7 @@ void PictureForm::Impl::update() {
   trouble->setVisible(!why.isEmpty());
   const int count = int(form.wanted().size());
   begin->setEnabled(why.isEmpty());
-  begin->setText(count > 1 ? tr("Ray Trace %1 pictures").arg(count) : tr("Ray Trace"));
+  begin->setText(count > 1 ? tr("&Ray Trace %1 pictures").arg(count) : tr("&Ray Trace"));
   emit form.changed();
 }
 

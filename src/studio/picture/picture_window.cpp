@@ -171,13 +171,13 @@ void PictureWindow::Impl::retranslate() {
     button->setText(words);
     button->setToolTip(tip);
   };
-  name(again, tr("Again"), tr("Makes this picture again, of the home as it is now, and compares the two"));
-  name(compare, tr("Compare"), tr("Lays another picture beside this one, with a divider to drag"));
-  name(save, tr("Save…"),
+  name(again, tr("A&gain"), tr("Makes this picture again, of the home as it is now, and compares the two"));
+  name(compare, tr("&Compare"), tr("Lays another picture beside this one, with a divider to drag"));
+  name(save, tr("&Save…"),
        tr("As PNG, JPEG, PCX or GIF; as OpenEXR while the program runs in which it was made"));
-  name(copy, tr("Copy"), tr("Into the clipboard"));
-  name(rename, tr("Rename"), tr("Gives this picture another name (F2)"));
-  name(remove, tr("Delete"), tr("Takes this picture out of the gallery; can be undone"));
+  name(copy, tr("Cop&y"), tr("Into the clipboard"));
+  name(rename, tr("Rena&me"), tr("Gives this picture another name (F2)"));
+  name(remove, tr("&Delete"), tr("Takes this picture out of the gallery; can be undone"));
   enable();
 }
 

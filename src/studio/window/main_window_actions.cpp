@@ -257,6 +257,10 @@ void MainWindow::Impl::makeViewActions() {
        QT_TRANSLATE_NOOP("idap", "Makes the picture of the chosen point of view, while you go on working"),
        "F5", QT_TRANSLATE_NOOP("idap", "Ray Trace")},
       [this] { rayTrace(); }));
+  ofHome(actions->add({"store-view", QT_TRANSLATE_NOOP("idap", "&Keep this point of view"),
+                       QT_TRANSLATE_NOOP("idap", "Keeps where the live view stands as a camera of the home"),
+                       "Ctrl+B"},
+                      [this] { views->live().storeView(); }));
   ofHome(actions->add(
       {"pictures", QT_TRANSLATE_NOOP("idap", "Pict&ures and gallery…"),
        QT_TRANSLATE_NOOP("idap",
@@ -380,6 +384,7 @@ void MainWindow::Impl::makeMenus() {
              "view-picture",
              "maximise",
              "",
+             "store-view",
              "ray-trace",
              "pictures",
              "film",

@@ -1,164 +1,26 @@
 #!/usr/bin/env python3
 """The real program on a display of its own, used as a person does, with keys and mouse: a new room, ten pieces, a door
-and a window, undo all, redo all, save, reopen, print, quit. What was saved is judged by `idap info`.
+and a window, undo all, redo all, save, reopen, print; then a walk, pictures by day and by night, furniture of one's own
+and a film; quit. What was saved is judged by `idap info` and by the files themselves.
 
     studio_session.py BIN_FOLDER
 
 Exit status 0: all went well; 77: Xvfb or xdotool is missing, nothing was tried; else what went wrong is said.
 IDAP_SHOTS=FOLDER keeps pictures of the screen, where ImageMagick is there to take them.
 """
-import json
-import os
 import pathlib
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-SKIPPED = 77
-WIDTH, HEIGHT = 1280, 800
+import presenting
+from program_session import SKIPPED, Display, Failed, Session, expect, place_by_keys
+
 # What is typed into the catalog's search, Enter placing the first piece found.
 PIECES = ["double bed", "night table", "night table", "wardrobe", "vanity", "table lamp", "armchair", "bookshelf"]
 DRAGGED = ["plant", "chair"]  # these by the mouse
-
-
-class Failed(Exception):
-    pass
-
-
-class Display:
-    """An Xvfb of our own, on a number that it finds free itself."""
-
-    def __init__(self):
-        read, write = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"],
-            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(write)
-        with os.fdopen(read) as numbers:
-            self.name = ":" + numbers.readline().strip()
-        if self.name == ":":
-            raise Failed("Xvfb did not start")
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait(10)
-
-
-class Session:
-    def __init__(self, folder, binaries, display):
-        self.folder, self.binaries = folder, binaries
-        self.environment = dict(os.environ, DISPLAY=display, QT_QPA_PLATFORM="xcb", LC_ALL="C.UTF-8", LANG="C.UTF-8",
-                                HOME=str(folder), IDAP_FURNITURE="")
-        for name in ("WAYLAND_DISPLAY", "QT_SCALE_FACTOR", "QT_STYLE_OVERRIDE", "LANGUAGE"):
-            self.environment.pop(name, None)
-        for name in ("CONFIG", "DATA", "CACHE", "STATE"):
-            self.environment[f"XDG_{name}_HOME"] = str(folder / name.lower())
-        self.program = self.main = None
-        self.shots = 0
-
-    def start(self, *arguments):
-        self.program = subprocess.Popen([str(self.binaries / "idap"), *arguments], env=self.environment, cwd=self.folder)
-
-    def xdotool(self, *words):
-        return subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True)
-
-    def windows(self, title):
-        found = self.xdotool("search", "--onlyvisible", "--name", title)
-        return found.stdout.split()
-
-    def wait(self, condition, what, seconds=20):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if self.program and self.program.poll() is not None:
-                raise Failed(f"the program ended with {self.program.returncode} while waiting for {what}")
-            result = condition()
-            if result:
-                return result
-            time.sleep(0.05)
-        self.shoot("failed")
-        raise Failed(f"waited in vain for {what}")
-
-    def focus(self, title):
-        """Brings the keyboard to the window of that title: there is no window manager to do it."""
-        window = self.wait(lambda: self.windows(title), f"the window '{title}'")[-1]
-        self.xdotool("windowfocus", "--sync", window)
-        time.sleep(0.15)
-        return window
-
-    def focus_main(self):
-        self.xdotool("windowfocus", "--sync", self.main)
-        time.sleep(0.15)
-
-    def keys(self, *names):
-        for name in names:
-            self.xdotool("key", "--clearmodifiers", name)
-            time.sleep(0.06)
-
-    def type(self, text):
-        self.xdotool("type", "--delay", "8", text)
-        time.sleep(0.1)
-
-    def drag(self, start, end):
-        self.xdotool("mousemove", *start)
-        self.xdotool("mousedown", 1)
-        steps = 12
-        for i in range(1, steps + 1):
-            self.xdotool("mousemove", *(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
-            time.sleep(0.02)
-        time.sleep(0.1)
-        self.xdotool("mouseup", 1)
-        time.sleep(0.2)
-
-    def click(self, at):
-        self.xdotool("mousemove", *at)
-        self.xdotool("click", 1)
-        time.sleep(0.15)
-
-    def save_as(self, name):
-        file = self.folder / name
-        self.focus_main()
-        self.keys("ctrl+shift+s")
-        self.focus("Save the home as")
-        self.keys("ctrl+a")
-        self.type(str(file))
-        self.keys("Return")
-        self.wait(file.exists, f"{name} to be written")
-        self.wait(lambda: not self.windows("Save the home as"), "the save dialog to close")
-        return file
-
-    def info(self, file):
-        done = subprocess.run([str(self.binaries / "idap"), "info", "--json", str(file)], env=self.environment,
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            raise Failed(f"{file.name} cannot be read: {done.stderr}")
-        return json.loads(done.stdout)
-
-    def shoot(self, name):
-        folder = os.environ.get("IDAP_SHOTS")
-        if not folder or not shutil.which("import"):
-            return
-        self.shots += 1
-        subprocess.run(["import", "-window", "root", f"{folder}/session_{self.shots:02d}_{name}.png"],
-                       env=self.environment)
-
-    def end(self):
-        if self.program and self.program.poll() is None:
-            self.program.send_signal(signal.SIGKILL)
-            self.program.wait()
-
-
-def expect(what, found, wanted):
-    if found != wanted:
-        raise Failed(f"{what}: {found}, not {wanted}")
-
-
-def place_by_keys(session, words):
-    session.keys("ctrl+f", "ctrl+a")
-    session.type(words)
-    session.keys("Return")
 
 
 def place_by_mouse(session, words, at):
@@ -246,6 +108,8 @@ def use(session):
     if shutil.which("pdftotext"):
         text = subprocess.run(["pdftotext", "-layout", str(plan), "-"], capture_output=True, text=True).stdout
         expect("the print says its scale", "Scale 1:50" in text, True)
+
+    presenting.see_and_show(session)
 
     session.focus_main()
     session.keys("ctrl+q")
