@@ -22,6 +22,7 @@
 #include "render/film/develop.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
+#include "scene/cut_away.h"
 #include "scene/scene_builder.h"
 
 namespace idap::cli {
@@ -34,7 +35,7 @@ struct Options {
   int spp = 0, threads = 0;
   double time = 0;
   std::optional<double> exposure, clouds;
-  bool noDenoise = false, json = false;
+  bool noDenoise = false, cutAway = false, json = false;
 };
 
 class Stopwatch {
@@ -78,7 +79,8 @@ int renderPicture(const Options& options) {
   BuildOptions build;
   bool fromAbove = false;
   const Camera camera = chooseCamera(home, options.camera, aspect, fromAbove);
-  build.ceilings = !fromAbove;
+  const bool cut = options.cutAway && isOutside(home, camera.eye);
+  build.ceilings = !fromAbove && !cut;
   build.lamps = lampPolicy(options.lamps);
   build.cloudiness = options.clouds;
   build.time = camera.time;
@@ -90,7 +92,8 @@ int renderPicture(const Options& options) {
   const BuiltScene built = buildScene(home, catalog, build, progress);
   warnings.add(built.warnings);
   const double buildMs = watch.lapMilliseconds();
-  const render::CompiledScene scene(built.scene, options.threads);
+  render::CompiledScene scene(built.scene, options.threads);
+  if (cut) cutAway(scene, built, camera.eye);
   progress.check();
   const double bvhMs = watch.lapMilliseconds();
 
@@ -180,6 +183,8 @@ Job describeRender(CLI::App& app) {
   app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast; without it, as the home has it")
       ->check(within(0, 1));
   app.add_option("--threads", options->threads, "Processors to use (all)")->check(CLI::Range(1, 1024));
+  app.add_flag("--cut-away", options->cutAway,
+               "From outside: without the ceilings and the walls that are in the way");
   app.add_flag("--no-denoise", options->noDenoise, "Leave the noise in");
   app.add_flag("--json", options->json, "Print figures as one JSON object on standard output");
   return [options] { return renderPicture(*options); };

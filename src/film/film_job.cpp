@@ -12,6 +12,7 @@
 #include "render/film/exposure.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
+#include "scene/cut_away.h"
 #include "scene/scene_memory.h"
 
 namespace idap {
@@ -87,9 +88,13 @@ class FilmMaker {
     options.lamps = settings_.lamps;
     options.cloudiness = settings_.cloudiness;
     options.time = camera.time;
+    // A day is seen from one place; somebody outside sees in, as in the live view. A walk stays as built.
+    const bool outside = plan_.day && isOutside(plan_.home, camera.eye);
+    options.ceilings = !outside;
     if (!scene_) progress_.report(0, "building");
     BuiltScene built = buildScene(plan_.home, catalog_, options, progress_, &memory_);
     auto scene = std::make_unique<render::CompiledScene>(built.scene, settings_.threads, scene_.get());
+    if (outside) cutAway(*scene, built, camera.eye);
     scene_ = std::move(scene);
     built_ = std::move(built);
     time_ = camera.time;

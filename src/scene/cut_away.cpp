@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/accel/compiled_scene.h"
 #include "scene/wall_solid.h"
 
 namespace idap {
@@ -50,6 +51,11 @@ std::vector<std::uint32_t> hiddenFrom(const BuiltScene& built, Vec3 eye, CutAway
   }
   std::ranges::sort(hidden);
   return hidden;
+}
+
+void cutAway(render::CompiledScene& scene, const BuiltScene& built, Vec3 eye) {
+  for (const std::uint32_t i : hiddenFrom(built, eye, CutAway::ByView)) scene.setVisibleToCamera(i, false);
+  scene.commit();
 }
 
 }  // namespace idap

@@ -6,6 +6,10 @@
 
 namespace idap {
 
+namespace render {
+class CompiledScene;
+}
+
 enum class CutAway { ByView, Never };
 
 // The eye is above the ceilings, or beside the walls: nothing inside could be seen.
@@ -13,4 +17,8 @@ bool isOutside(const Home& home, Vec3 eye);
 
 // The instances that primary rays must pass; light meets them all the same. Empty for an eye that is inside.
 std::vector<std::uint32_t> hiddenFrom(const BuiltScene& built, Vec3 eye, CutAway cut);
+
+// Hides what must go for an eye outside, in a scene compiled of built.
+void cutAway(render::CompiledScene& scene, const BuiltScene& built, Vec3 eye);
+
 }  // namespace idap

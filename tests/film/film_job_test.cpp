@@ -64,6 +64,30 @@ TEST(FilmJob, StoppedEarlyItLeavesNothingStoppedLaterTheFilmSoFar) {
   }
 }
 
+TEST(FilmJob, ADaySeenFromOutsideLooksIn) {
+  const Folder folder;
+  Home home = twoRooms();
+  std::vector<RoomId> rooms;
+  for (const auto& [id, room] : home.rooms) rooms.push_back(id);
+  for (const RoomId id : rooms) {
+    Room room = *home.rooms.find(id);
+    room.floor = plain(Color{0.8f, 0.05f, 0.05f});
+    home.rooms.set(id, room);
+  }
+  Camera above = eyeAt(2, 2);
+  above.eye.z = 8;
+  above.pitch = kPi / 2;
+  DaySettings day;
+  day.framesPerSecond = 5;
+  day.seconds = 1;
+  day.from = 12, day.to = 12.5;
+  const FilmPlan plan = planDay(home, above, day);
+  makeFilm(plan, Catalog(), kTiny, folder / "a.mp4", {}, [&](const FilmFrame& frame) {
+    const std::size_t middle = std::size_t(3) * (14 * 48 + 24);
+    EXPECT_GT(frame.image.rgb[middle], frame.image.rgb[middle + 1] + 30) << frame.number;
+  });
+}
+
 TEST(FilmJob, WhereTheCameraStandsNothingIsTracedTwice) {
   const FilmPlan plan = shortWalk();
   EXPECT_LT(tracedFrames(plan), static_cast<int>(plan.frames.size()));

@@ -116,11 +116,7 @@ class Tracing {
     built_ = buildScene(request_.home, *request_.catalog, options, job_.progress);
     scene_.emplace(built_.scene, threads_);
     job_.progress.check();
-    if (outside && request_.camera) {
-      for (const std::uint32_t i : hiddenFrom(built_, camera.eye, CutAway::ByView))
-        scene_->setVisibleToCamera(i, false);
-      scene_->commit();
-    }
+    if (outside && request_.camera) cutAway(*scene_, built_, camera.eye);
     view_ = toRenderCamera(camera, built_, aspect_);
     settings_.width = request_.width;
     settings_.height = request_.height;

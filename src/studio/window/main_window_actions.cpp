@@ -257,10 +257,10 @@ void MainWindow::Impl::makeViewActions() {
        QT_TRANSLATE_NOOP("idap", "Makes the picture of the chosen point of view, while you go on working"),
        "F5", QT_TRANSLATE_NOOP("idap", "Ray Trace")},
       [this] { rayTrace(); }));
-  ofHome(actions->add({"store-view", QT_TRANSLATE_NOOP("idap", "&Keep this point of view"),
-                       QT_TRANSLATE_NOOP("idap", "Keeps where the live view stands as a camera of the home"),
-                       "Ctrl+B"},
-                      [this] { views->live().storeView(); }));
+  ofHome(actions->add(
+      {"store-view", QT_TRANSLATE_NOOP("idap", "&Keep this point of view"),
+       QT_TRANSLATE_NOOP("idap", "Keeps where the live view stands as a camera of the home"), "Ctrl+B"},
+      [this] { views->live().storeView(); }));
   ofHome(actions->add(
       {"pictures", QT_TRANSLATE_NOOP("idap", "Pict&ures and gallery…"),
        QT_TRANSLATE_NOOP("idap",
@@ -372,27 +372,10 @@ void MainWindow::Impl::makeMenus() {
   add(storeys, {"", "level-properties"});
 
   QMenu* view = menu(QT_TRANSLATE_NOOP("idap", "&View"));
-  add(view, {"zoom-in",
-             "zoom-out",
-             "zoom-fit",
-             "zoom-selection",
-             "",
-             "view-all",
-             "view-xy",
-             "view-xz",
-             "view-yz",
-             "view-picture",
-             "maximise",
-             "",
-             "store-view",
-             "ray-trace",
-             "pictures",
-             "film",
-             "",
-             "panel-catalog",
-             "panel-properties",
-             "panel-lists",
-             ""});
+  add(view, {"zoom-in",          "zoom-out",    "zoom-fit", "zoom-selection", "",         "view-all",
+             "view-xy",          "view-xz",     "view-yz",  "view-picture",   "maximise", "",
+             "store-view",       "ray-trace",   "pictures", "film",           "",         "panel-catalog",
+             "panel-properties", "panel-lists", ""});
   addCommands(view, Menu::View);
 
   add(menu(QT_TRANSLATE_NOOP("idap", "&Help")), {"keys", "about"});
