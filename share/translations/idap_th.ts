@@ -5591,8 +5591,8 @@
         <translation>ลบ %1 ออกจากแคตตาล็อกหรือไม่</translation>
     </message>
     <message>
-        <source>Homes that use it will show a box in its place.</source>
-        <translation>บ้านที่ใช้ชิ้นนี้จะแสดงกล่องแทน</translation>
+        <source>Homes that it stands in keep it.</source>
+        <translation>บ้านที่วางชิ้นนี้ไว้ยังคงมีอยู่</translation>
     </message>
 </context>
 <context>

@@ -179,6 +179,23 @@ class Baker {
   std::map<std::size_t, std::vector<Triangle>> triangles_;  // by material
 };
 
+// Turned so that the largest of the pieces looks to the front: a wardrobe that stood along a side wall is as
+// wide and as deep as it was before it was turned there.
+Home straightened(const Home& part) {
+  double largest = 0, angle = 0;
+  Elements all;
+  const auto add = [&](const auto& table, auto& ids) {
+    for (const auto& [id, piece] : table) {
+      ids.push_back(id);
+      if (const double volume = piece->size.x * piece->size.y * piece->size.z; volume > largest)
+        largest = volume, angle = piece->angle;
+    }
+  };
+  add(part.furniture, all.furniture);
+  add(part.openings, all.openings);
+  return angle == 0 ? part : turnElements(part, all, {}, -angle);
+}
+
 }  // namespace
 
 BakedFurniture bakeFurniture(const Home& home, const Catalog& catalog, const Elements& elements,
@@ -187,7 +204,7 @@ BakedFurniture bakeFurniture(const Home& home, const Catalog& catalog, const Ele
   chosen.groups = elements.groups;
   chosen.furniture = elements.furniture;
   chosen.openings = elements.openings;
-  Home part = extractElements(home, chosen);
+  Home part = straightened(extractElements(home, chosen));
   // Unlit, and on the floor that they stand on.
   for (const auto& [id, level] : part.levels) {
     Level flat = *level;

@@ -25,7 +25,7 @@ struct BakedFurniture {
 };
 
 // The pieces among the elements, members of groups too. Equal materials become one slot. Throws Error where
-// nothing of them has a shape; Cancelled.
+// nothing of them has a shape; Cancelled. The largest piece looks to the front.
 BakedFurniture bakeFurniture(const Home& home, const Catalog& catalog, const Elements& elements,
                              const Progress& progress = {});
 

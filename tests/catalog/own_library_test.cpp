@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "catalog/catalog.h"
+#include "catalog/library/own_models.h"
 
 namespace idap {
 namespace {
@@ -52,6 +53,62 @@ TEST_F(OwnLibraryTest, WhatIsSaidOfAPieceComesBack) {
   const OwnLibrary again(file_);
   ASSERT_EQ(again.pieces().size(), 1u);
   EXPECT_EQ(again.pieces().front(), stool());
+}
+
+TEST_F(OwnLibraryTest, ALampKeepsItsLightThereAndInTheCatalog) {
+  OwnLibrary library(file_);
+  OwnPiece warm = stool(), red = stool();
+  warm.lamp = Lamp{.lumens = 450, .colorTemperature = 2200, .beamAngle = kPi / 3};
+  warm.lamp->sources = {{.position = {0.5, 0.5, 0.9}}};
+  red.id = "own/red";
+  red.lamp = Lamp{.lumens = 90, .color = Color{1, 0, 0}};
+  red.lamp->sources = {{.position = {0.5, 0.5, 0.1}}};
+  for (const OwnPiece& piece : {warm, red}) library.add(piece, kModel, "model.obj", nullptr);
+  library.save();
+  const OwnLibrary again(file_);
+  const Catalog catalog({folder_});
+  for (const OwnPiece& piece : {warm, red}) {
+    for (const auto& lamp : {again.find(piece.id)->lamp, catalog.find(piece.id)->lamp}) {
+      ASSERT_TRUE(lamp) << piece.id;
+      EXPECT_NEAR(lamp->lumens, piece.lamp->lumens, 1e-6);
+      EXPECT_NEAR(lamp->beamAngle, piece.lamp->beamAngle, 1e-6);
+      const std::optional<Color> color =
+          lamp->color || lamp->sources.empty() ? lamp->color : lamp->sources.front().color;
+      EXPECT_EQ(color, piece.lamp->color);
+      if (!color) {
+        EXPECT_EQ(lamp->colorTemperature, piece.lamp->colorTemperature);
+      }
+    }
+  }
+}
+
+TEST_F(OwnLibraryTest, AHomeTakesTheModelsAlong) {
+  OwnLibrary library(file_);
+  library.add(stool(), kModel, "model.obj", bytesOf("icon"));
+  Home home;
+  Furniture piece;
+  piece.model.catalogId = "own/stool";
+  piece.size = stool().size;
+  const auto id = home.newId<FurnitureId>();
+  home.furniture.set(id, piece);
+  EXPECT_TRUE(usesOwnFurniture(home));
+  const Home whole = withOwnModels(home, library);
+  EXPECT_FALSE(usesOwnFurniture(whole));
+  const std::string& asset = whole.furniture.find(id)->model.asset;
+  EXPECT_EQ(*whole.assets->at(asset), *kModel.at("model.obj"));
+  EXPECT_EQ(whole.assets->size(), kModel.size());  // its icon is the catalog's
+  EXPECT_TRUE(home.assets->empty());
+  // A piece placed after the one in the library became another is not taken for the older one.
+  OwnLibrary later(file_);
+  auto other = kModel;
+  other["model.mtl"] = bytesOf("newmtl Oak\nKd 1 1 1\n");
+  later.add(stool(), other, "model.obj", nullptr);
+  Home two = whole;
+  const auto second = two.newId<FurnitureId>();
+  two.furniture.set(second, piece);
+  two = withOwnModels(two, later);
+  EXPECT_EQ(two.furniture.find(id)->model.asset, asset);
+  EXPECT_NE(two.furniture.find(second)->model.asset, asset);
 }
 
 TEST_F(OwnLibraryTest, TheCatalogHasItWithItsModelInBothLanguages) {

@@ -49,6 +49,16 @@ TEST_F(BakeFurnitureTest, TwoPiecesBecomeOneAsWideAsBoth) {
   EXPECT_LT(baked.size.x, 2.8);
 }
 
+TEST_F(BakeFurnitureTest, ATurnedPieceIsSavedAsItWasBeforeItWasTurned) {
+  const FurnitureId wardrobe = put("idap/wardrobe-hinged", {3, 4, 0}, kPi / 2);
+  put("idap/night-table", {3, 5, 0}, kPi / 2);
+  const BakedFurniture baked = bakeFurniture(home_, catalog_, chosen_);
+  const Vec3 size = home_.furniture.find(wardrobe)->size;
+  ASSERT_GT(size.x, size.y + 0.3);
+  EXPECT_GT(baked.size.x, size.x);
+  EXPECT_LT(baked.size.y, size.x);
+}
+
 TEST_F(BakeFurnitureTest, AFinishGoesAlong) {
   const FurnitureId chair = put("idap/chair-windsor", {0, 0, 0});
   Furniture red = *home_.furniture.find(chair);

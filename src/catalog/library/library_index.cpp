@@ -125,7 +125,17 @@ std::optional<Lamp> lampOf(const PieceFields& fields, Vec3 size) {
     sources[i].color = colors[i];
     if (i < diameters.size() && diameters[i] > 0) sources[i].diameter = diameters[i] * kCentimetre;
   }
-  return lampOf(kDefaultPower, sources);
+  Lamp lamp = lampOf(kDefaultPower, sources);
+  // The program's own additions, which others pass over.
+  if (const auto lumens = fields.number("idapLumens"); lumens && *lumens >= 0) lamp.lumens = *lumens;
+  if (const auto kelvin = fields.number("idapColorTemperature"); kelvin && *kelvin > 0) {
+    lamp.colorTemperature = *kelvin;
+    lamp.color.reset();
+    for (LightSource& source : lamp.sources) source.color.reset();
+  }
+  if (const auto degrees = fields.number("idapBeamAngle"); degrees && *degrees > 0 && *degrees < 180)
+    lamp.beamAngle = *degrees * kPi / 180;
+  return lamp;
 }
 
 std::vector<Sash> sashesOf(const PieceFields& fields, Vec3 size) {

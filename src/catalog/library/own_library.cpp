@@ -98,6 +98,21 @@ std::vector<double> numbers(const std::string& text) {
   return values;
 }
 
+// The first of a list of "#RRGGBB".
+std::optional<Color> colorOf(const std::string& text) {
+  std::uint32_t rgb = 0;
+  if (text.size() < 7 || text[0] != '#') return std::nullopt;
+  const char* end = text.data() + 7;
+  if (std::from_chars(text.data() + 1, end, rgb, 16).ptr != end) return std::nullopt;
+  const auto part = [rgb](int shift) { return static_cast<float>(rgb >> shift & 0xFF) / 255; };
+  return Color{part(16), part(8), part(0)};
+}
+
+std::string textOf(Color c) {
+  const auto part = [](float v) { return static_cast<int>(std::lround(std::clamp(v, 0.f, 1.f) * 255)); };
+  return fmt::format("#{:02X}{:02X}{:02X}", part(c.r), part(c.g), part(c.b));
+}
+
 OwnPiece pieceOf(const Fields& f, const Fields& thai) {
   OwnPiece p;
   p.id = text(f, "id");
@@ -128,6 +143,12 @@ OwnPiece pieceOf(const Fields& f, const Fields& thai) {
     p.lamp.emplace();
     for (std::size_t i = 0; i < count; ++i)
       p.lamp->sources.push_back({.position = Vec3{x[i], y[i], z[i]} / 100.0 / p.size});
+    p.lamp->lumens = number(f, "idapLumens").value_or(p.lamp->lumens);
+    p.lamp->beamAngle = number(f, "idapBeamAngle").value_or(0) * kPi / 180;
+    if (const auto kelvin = number(f, "idapColorTemperature"))
+      p.lamp->colorTemperature = *kelvin;
+    else
+      p.lamp->color = colorOf(text(f, "lightSourceColor"));
   }
   return p;
 }
@@ -198,12 +219,17 @@ void write(Table& table, Table& thai, const OwnPiece& p, const std::string& mode
       x += fmt::format("{}{}", blank, centimetres(at.x));
       y += fmt::format("{}{}", blank, centimetres(at.y));
       z += fmt::format("{}{}", blank, centimetres(at.z));
-      colors += fmt::format("{}#FFFFFF", blank);
+      const std::optional<Color> color = p.lamp->color ? p.lamp->color : source.color;
+      colors += fmt::format("{}{}", blank, textOf(color.value_or(Color{1, 1, 1})));
     }
     put("lightSourceX", x);
     put("lightSourceY", y);
     put("lightSourceZ", z);
     put("lightSourceColor", colors);
+    // Sweet Home 3D passes over what it does not know.
+    put("idapLumens", fmt::format("{:.9g}", p.lamp->lumens));
+    if (!p.lamp->color) put("idapColorTemperature", fmt::format("{:.9g}", p.lamp->colorTemperature));
+    if (p.lamp->beamAngle > 0) put("idapBeamAngle", fmt::format("{:.9g}", p.lamp->beamAngle * 180 / kPi));
   }
   thai.put(fmt::format("name{}", mark), p.nameThai);
   thai.put(fmt::format("category{}", mark), p.categoryThai);
@@ -265,6 +291,19 @@ void OwnLibrary::add(OwnPiece piece, const std::map<std::string, SharedBytes>& f
     entries_[places.icon] = std::move(icon);
   }
   pieces_.push_back(std::move(piece));
+}
+
+OwnLibrary::Model OwnLibrary::modelOf(const std::string& id) const {
+  Model model;
+  const auto files = filesOf_.find(id);
+  if (files == filesOf_.end()) return model;
+  const std::string& path = files->second.model;
+  const std::string folder = path.substr(0, path.rfind('/') + 1);
+  model.main = path.substr(folder.size());
+  for (const auto& [name, bytes] : entries_)
+    if (name.starts_with(folder) && name != files->second.icon)
+      model.files[name.substr(folder.size())] = bytes;
+  return model;
 }
 
 void OwnLibrary::change(const OwnPiece& piece) {

@@ -44,6 +44,11 @@ class OwnLibrary {
   // Adds a piece with its model (files by name; main: which of them) and its icon (PNG).
   void add(OwnPiece piece, const std::map<std::string, SharedBytes>& files, const std::string& main,
            SharedBytes icon);
+  struct Model {
+    std::string main;                          // which of the files; empty: there is no such piece
+    std::map<std::string, SharedBytes> files;  // by name
+  };
+  Model modelOf(const std::string& id) const;
   void change(const OwnPiece& piece);  // of the same id; its model stays
   void remove(const std::string& id);
 

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "catalog/library/own_library.h"
+#include "catalog/library/own_models.h"
 #include "editor/tools/place_tool.h"
 #include "studio/catalog/catalog_model.h"
 #include "studio/catalog/category_list.h"
@@ -342,12 +343,14 @@ void CatalogPanel::Impl::askToDelete(const CatalogPiecePtr& piece) {
       CatalogPanel::tr("Delete %1 from the catalog?").arg(toQt(piece->nameIn(editor.settings().language))),
       QMessageBox::Yes | QMessageBox::Cancel, self);
   box->setObjectName(QStringLiteral("deleteOwn"));
-  box->setInformativeText(CatalogPanel::tr("Homes that use it will show a box in its place."));
+  box->setInformativeText(CatalogPanel::tr("Homes that it stands in keep it."));
   box->setAttribute(Qt::WA_DeleteOnClose);
   connect(box, &QMessageBox::finished, this, [this, piece](int answer) {
     if (answer != QMessageBox::Yes) return;
     try {
       OwnLibrary library;
+      if (usesOwnFurniture(editor.home()))
+        editor.document().amend([&library](const Home& home) { return withOwnModels(home, library); });
       library.remove(piece->id);
       library.save();
     } catch (const Error& error) {

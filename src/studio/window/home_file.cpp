@@ -3,6 +3,9 @@
 #include <QFileInfo>
 #include <cctype>
 
+#include "base/error.h"
+#include "catalog/library/own_library.h"
+#include "catalog/library/own_models.h"
 #include "formats/registry.h"
 #include "studio/widgets/texts.h"
 
@@ -11,6 +14,16 @@ namespace idap {
 namespace {
 
 QString nameOf(const std::filesystem::path& file) { return toQt(file.filename().string()); }
+
+// With the models of the user's own furniture, which is not there where the home goes.
+Home whole(const Home& home) {
+  if (!usesOwnFurniture(home)) return home;
+  try {
+    return withOwnModels(home, OwnLibrary());
+  } catch (const Error&) {
+    return home;  // the library is damaged: no reason not to save
+  }
+}
 
 }  // namespace
 
@@ -114,7 +127,7 @@ void HomeFile::write(Save save) {
           const auto now = stampOf(save.file);
           if (now && *now != **known) throw ChangedOnDisk(save.file.string());
         }
-        writeHome(save.snapshot.home, save.file, progress);
+        writeHome(whole(save.snapshot.home), save.file, progress);
         *after = stampOf(save.file);
       },
       [this, file, after, revision = save.snapshot.revision,

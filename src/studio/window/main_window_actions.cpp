@@ -89,7 +89,14 @@ void MainWindow::Impl::makeFileActions() {
   ofHome(actions->add({"print", QT_TRANSLATE_NOOP("idap", "&Print…"),
                        QT_TRANSLATE_NOOP("idap", "Prints the plan to scale, on paper or into a PDF"),
                        "Ctrl+P", QT_TRANSLATE_NOOP("idap", "Print")},
-                      [this] { showDialog(new PrintDialog(editor, w)); }));
+                      [this] {
+                        auto* dialog = new PrintDialog(editor, w);
+                        dialog->setChoices(shared->preferences->layout("print"));
+                        QObject::connect(dialog, &QDialog::finished, w, [this, dialog] {
+                          shared->preferences->setLayout("print", dialog->choices());
+                        });
+                        showDialog(dialog);
+                      }));
   actions->add(
       {"preferences", QT_TRANSLATE_NOOP("idap", "P&references…"),
        QT_TRANSLATE_NOOP("idap", "Units, language, light or dark, snapping and new walls"), "Ctrl+,"},

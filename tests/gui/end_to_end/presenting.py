@@ -93,9 +93,12 @@ def own_furniture(session):
     place_by_keys(session, "grandmother")
     time.sleep(0.5)
     session.shoot("own_furniture")
-    pieces = session.content(session.save_as("own.idap"))["furniture"]
+    home = session.save_as("own.idap")
+    pieces = session.content(home)["furniture"]
     own = [piece for piece in pieces if piece["model"].get("catalogId", "").startswith("own/")]
     expect("own pieces placed", [piece["name"] for piece in own], ["Grandmother chest"])
+    library.unlink()  # the home is whole without it
+    expect("what the saved home lacks", session.warnings(home), "")
 
 
 def seconds_of(film):

@@ -123,6 +123,11 @@ class Session:
             raise Failed(f"{file.name} cannot be read: {done.stderr}")
         return json.loads(done.stdout)
 
+    def warnings(self, file):
+        """What is said of a home while it is built."""
+        return subprocess.run([str(self.binaries / "idap"), "info", str(file)], env=self.environment,
+                              capture_output=True, text=True).stderr
+
     def content(self, file):
         """What an .idap says of the home."""
         with zipfile.ZipFile(file) as archive:

@@ -1,9 +1,5 @@
 // Shows every view, dialog and state of the studio once and saves a picture of each, to be looked at by a
 // person: screenshots FOLDER LANGUAGE light|dark. dev/screenshots runs it in both languages and scales.
-#include <QAction>
-#include <QApplication>
-#include <QDialog>
-#include <QDir>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -11,40 +7,17 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <QTest>
-#include <cstdio>
 
 #include "editor/tools/place_tool.h"
+#include "gui/screenshots/showing_pictures.h"
 #include "studio/picture/picture_panel.h"
-#include "studio/plan/plan_view.h"
-#include "studio/widgets/texts.h"
-#include "studio/window/file_flow.h"
-#include "studio/window/main_window.h"
-#include "studio/window/preferences.h"
-#include "studio/window/view_area.h"
-#include "studio/window/window_actions.h"
 
 namespace idap {
 namespace {
 
-class Photographer {
+class Everything : public ShowingPictures {
  public:
-  Photographer(const QString& folder, const QString& language, Preferences::Theme theme)
-      : folder_(folder),
-        shared_(std::make_shared<StudioShared>(
-            std::make_shared<const Catalog>(std::vector<std::filesystem::path>{}))) {
-    EditorSettings settings = shared_->preferences->editor();
-    settings.language = fromQt(language);
-    shared_->preferences->setEditor(settings);
-    shared_->preferences->setTheme(theme);
-    const QString homes = QStringLiteral(IDAP_SOURCE_DIR "/share/templates/");
-    for (const char* name : {"kitchen.idap", "studio-apartment.idap"})
-      shared_->preferences->addRecent(homes + QLatin1String(name));
-    window_ = std::make_unique<MainWindow>(shared_);
-    window_->resize(1280, 800);
-    window_->show();
-    QTest::qWait(300);
-  }
+  using ShowingPictures::ShowingPictures;
 
   void all() {
     shoot("welcome");
@@ -58,6 +31,11 @@ class Photographer {
     menus();
     dialogs();
     picture();
+    liveView();
+    sheets();
+    ownFurniture();
+    pictureWindow();
+    filmWindow();
     questions();
   }
 
@@ -71,44 +49,6 @@ class Photographer {
   }
 
  private:
-  Editor& editor() { return window_->editor(); }
-  PlanView& plan(Plane plane) { return window_->views().plan(plane); }
-
-  void shoot(const char* name, QWidget* widget = nullptr) {
-    QTest::qWait(60);
-    if (!widget) widget = window_.get();
-    if (!widget->grab().save(folder_.filePath(QLatin1String(name) + QStringLiteral(".png"))))
-      std::fprintf(stderr, "screenshots: cannot write %s\n", name);
-  }
-
-  void trigger(const char* id) {
-    window_->actions().refresh();
-    QAction* action = window_->actions().get(id);
-    if (!action || !action->isEnabled()) {
-      std::fprintf(stderr, "screenshots: nothing to be done with %s\n", id);
-      return;
-    }
-    action->trigger();
-    QTest::qWait(30);
-  }
-
-  void openSample() {
-    window_->openFile(IDAP_SOURCE_DIR "/share/samples/apartment.idap");
-    (void)QTest::qWaitFor([this] { return window_->files().isOpen() && !window_->busy(); }, 20'000);
-    window_->views().zoomAllToFit();
-    QTest::qWait(4000);  // symbols and thumbnails come one by one
-  }
-
-  FurnitureId piece(const char* catalogId) {
-    for (const auto& [id, furniture] : editor().home().furniture)
-      if (furniture->model.catalogId == catalogId) return id;
-    return {};
-  }
-  void select(const char* catalogId) {
-    Elements one;
-    one.furniture.push_back(piece(catalogId));
-    editor().select(one);
-  }
   QPoint at(Plane plane, Vec2 where) { return plan(plane).toView(where).toPoint(); }
   void move(Vec2 where) {
     QTest::mouseMove(&plan(Plane::XY), at(Plane::XY, where));
@@ -244,27 +184,6 @@ class Photographer {
     editor().select({});
   }
 
-  QWidget* topDialog() {
-    for (QWidget* top : QApplication::topLevelWidgets())
-      if (top->isVisible() && qobject_cast<QDialog*>(top)) return top;
-    return nullptr;
-  }
-  void shootDialog(const char* name, int wait = 0) {
-    (void)QTest::qWaitFor([this] { return topDialog() != nullptr; }, 2000);
-    QWidget* dialog = topDialog();
-    if (!dialog) {
-      std::fprintf(stderr, "screenshots: no dialog for %s\n", name);
-      return;
-    }
-    QTest::qWait(wait);
-    shoot(name, dialog);
-    static_cast<QDialog*>(dialog)->reject();
-    QTest::qWait(50);
-  }
-  void dialog(const char* id) {
-    trigger(id);
-    shootDialog((std::string("dialog-") + id).c_str(), 300);
-  }
   void dialogs() {
     for (const char* id : {"new", "open", "save-as", "export-csv", "print", "preferences", "import-furniture",
                            "text", "compass", "background", "level-properties", "keys", "about"})
@@ -288,6 +207,8 @@ class Photographer {
       return home;
     });
     shoot("picture-outdated", &panel);
+    editor().undo();
+    window_->views().showPicture(false);
   }
 
   void questions() {
@@ -297,10 +218,6 @@ class Photographer {
     window_->openFile("/no/such/folder/home.idap");
     shootDialog("error-open");
   }
-
-  QDir folder_;
-  std::shared_ptr<StudioShared> shared_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 }  // namespace
@@ -321,8 +238,8 @@ int main(int argc, char** argv) {
   }
   QDir().mkpath(arguments[1]);
   const bool dark = arguments[3] == QLatin1String("dark");
-  idap::Photographer photographer(arguments[1], arguments[2],
-                                  dark ? idap::Preferences::Theme::Dark : idap::Preferences::Theme::Light);
+  idap::Everything photographer(arguments[1], arguments[2],
+                                dark ? idap::Preferences::Theme::Dark : idap::Preferences::Theme::Light);
   if (dark)
     photographer.some();
   else

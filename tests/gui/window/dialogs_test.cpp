@@ -184,6 +184,27 @@ TEST_F(DialogsTest, APlanIsPrintedIntoAPdf) {
   EXPECT_TRUE(pdf.read(5) == "%PDF-");
 }
 
+TEST_F(DialogsTest, ChoicesOfPrintingAreThereTheNextTime) {
+  put("idap/chair-windsor", {1, 1});
+  for (const bool again : {false, true}) {
+    auto* dialog = dynamic_cast<PrintDialog*>(open("print", "printDialog"));
+    ASSERT_TRUE(dialog);
+    auto* scale = dialog->findChild<QComboBox*>("scale");
+    auto* title = dialog->findChild<QCheckBox*>("titleBlock");
+    if (!again) {
+      scale->setFocus();
+      QTest::keyClicks(scale, "1:100");
+      QTest::keyClick(title, Qt::Key_Space);
+    }
+    EXPECT_DOUBLE_EQ(dialog->job().scale, 1.0 / 100) << again;
+    EXPECT_FALSE(dialog->job().titleBlock) << again;
+    dialog->setChoices("{damaged");
+    dialog->setChoices(R"({"scale": 12345, "titleBlock": false})");
+    EXPECT_DOUBLE_EQ(dialog->job().scale, 1.0 / 100) << again;
+    dialog->reject();
+  }
+}
+
 TEST_F(DialogsTest, KeysAreListedAndSearched) {
   QDialog* dialog = open("keys", "keysDialog");
   ASSERT_TRUE(dialog);

@@ -6,6 +6,8 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
@@ -149,6 +151,28 @@ PrintJob PrintDialog::job() const {
   job.titleBlock = title_->isChecked();
   job.allLevels = allLevels_->isChecked();
   return job;
+}
+
+QByteArray PrintDialog::choices() const {
+  return QJsonDocument(QJsonObject{{"scale", scale_->currentData().toInt()},
+                                   {"paper", paper_->currentData().toInt()},
+                                   {"landscape", orientation_->currentIndex() == 1},
+                                   {"titleBlock", title_->isChecked()}})
+      .toJson(QJsonDocument::Compact);
+}
+
+void PrintDialog::setChoices(const QByteArray& choices) {
+  const QJsonObject kept = QJsonDocument::fromJson(choices).object();
+  {
+    const QSignalBlocker quiet[] = {QSignalBlocker(scale_), QSignalBlocker(paper_),
+                                    QSignalBlocker(orientation_), QSignalBlocker(title_)};
+    for (const auto& [box, key] : {std::pair(scale_, "scale"), std::pair(paper_, "paper")})
+      if (const int at = box->findData(kept.value(QLatin1String(key)).toInt(-1)); at >= 0)
+        box->setCurrentIndex(at);
+    orientation_->setCurrentIndex(kept.value(QLatin1String("landscape")).toBool(true) ? 1 : 0);
+    title_->setChecked(kept.value(QLatin1String("titleBlock")).toBool(true));
+  }
+  refresh();
 }
 
 void PrintDialog::setUpPage() {

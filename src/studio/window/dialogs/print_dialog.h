@@ -24,6 +24,11 @@ class PrintDialog : public QDialog {
   explicit PrintDialog(Editor& editor, QWidget* parent = nullptr);
   ~PrintDialog() override;
 
+  // Scale, paper, orientation and title block, to be taken up again the next time; unknown or damaged choices
+  // leave what there is.
+  QByteArray choices() const;
+  void setChoices(const QByteArray& choices);
+
   PrintJob job() const;
   void writePdf(const QString& file);
   void writeSvg(const QString& file);
