@@ -7438,6 +7438,10 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
         <source>The SVG cannot be written.</source>
         <translation>เขียนไฟล์ SVG ไม่ได้</translation>
     </message>
+    <message>
+        <source>There is nothing of that to print yet.</source>
+        <translation>ยังไม่มีสิ่งนั้นให้พิมพ์</translation>
+    </message>
 </context>
 <context>
     <name>idap::Recovery</name>

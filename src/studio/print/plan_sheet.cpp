@@ -72,7 +72,9 @@ void joiningMarks(QPainter& p, const QRectF& area, const Tiling& t, int column, 
 
 std::vector<PrintPage> planSheets(const SheetContext& context, Plane plane) {
   const PrintJob& job = context.job;
-  const Home& home = context.source.home;
+  Home home = context.source.home;
+  // The title block shows where north is; the compass, often far out, would only make the plan smaller.
+  if (job.titleBlock) home.site.compassVisible = false;
   std::vector<LevelId> levels{context.source.level};
   if (plane == Plane::XY && job.allLevels && !home.levels.empty()) {
     levels.clear();

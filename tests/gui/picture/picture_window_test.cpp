@@ -81,7 +81,7 @@ TEST_F(PictureWindowTest, EveryTickedPointOfViewBecomesAPictureOfTheGallery) {
   ASSERT_EQ(views->count(), 2);
   EXPECT_EQ(views->item(0)->checkState(), Qt::Checked);
   tick(1);
-  EXPECT_EQ(part<QPushButton>("pictureBegin")->text(), "Ray Trace 2 pictures");
+  EXPECT_EQ(part<QPushButton>("pictureBegin")->text(), "&Ray Trace 2 pictures");
   press("pictureBegin");
   EXPECT_EQ(window->queue().jobs().size(), 2u);
   ASSERT_TRUE(done());

@@ -190,7 +190,9 @@ void PrintDialog::refresh() {
   pages_ = layOut(printSource(editor_), job());
   QApplication::restoreOverrideCursor();
   const int count = int(pages_.size());
-  QString words = count == 0   ? tr("Tick what to print.")
+  const bool anyTicked = !job().sheets.empty();
+  QString words = count == 0
+                      ? anyTicked ? tr("There is nothing of that to print yet.") : tr("Tick what to print.")
                   : count == 1 ? tr("One page.")
                                : tr("%1 pages.").arg(count);
   if (count > 0 && scale_->currentData().toInt() == 0 && pages_.front().scale > 0)
