@@ -17,14 +17,12 @@ namespace {
 
 // Counted as Sweet Home 3D's users count: pieces are furniture, doors, windows and lamps in and outside
 // groups.
-std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home, Warnings& warnings,
-                                                          const Progress& progress) {
+std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home, const Progress& progress) {
   const auto lamps =
       static_cast<std::size_t>(std::count_if(home.furniture.begin(), home.furniture.end(),
                                              [](const auto& f) { return f.second->lamp.has_value(); }));
   const Catalog catalog;
-  const BuiltScene built = buildScene(home, catalog, {}, progress);
-  warnings.add(built.warnings);
+  const std::size_t triangles = buildScene(home, catalog, {}, progress).triangles;
   return {{"levels", home.levels.size()},
           {"walls", home.walls.size()},
           {"rooms", home.rooms.size()},
@@ -37,7 +35,7 @@ std::vector<std::pair<const char*, std::size_t>> countsOf(const Home& home, Warn
           {"labels", home.labels.size()},
           {"polylines", home.polylines.size()},
           {"pictures", home.pictures.size()},
-          {"triangles", built.triangles}};
+          {"triangles", triangles}};
 }
 
 }  // namespace
@@ -55,7 +53,7 @@ Job describeInfo(CLI::App& app) {
     const CancelOnInterrupt interrupt(progress);
     Warnings warnings(options->file);
     const ReadResult read = openHome(options->file, warnings, progress);
-    const auto counts = countsOf(read.home, warnings, progress);
+    const auto counts = countsOf(read.home, progress);
     if (options->json) {
       nlohmann::ordered_json json;
       for (const auto& [key, count] : counts) json[key] = count;

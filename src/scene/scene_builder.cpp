@@ -214,8 +214,10 @@ class Build {
     render::Instance instance;
     instance.mesh = static_cast<std::uint32_t>(built_.scene->meshes.size());
     instance.surfaces = std::move(surfaces);
-    instance.objectId = static_cast<std::uint32_t>(built_.objects.size());
-    built_.objects.push_back(id);
+    if (!std::holds_alternative<std::monostate>(id)) {
+      instance.objectId = static_cast<std::uint32_t>(built_.objects.size());
+      built_.objects.push_back(id);
+    }
     built_.scene->meshes.push_back(std::move(mesh));
     built_.scene->instances.push_back(std::move(instance));
   }

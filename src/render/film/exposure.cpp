@@ -49,9 +49,10 @@ float ev100FromMultiplier(float multiplier) { return -std::log2(kSaturation * mu
 float autoExposure(const Film& film) { return autoExposure(film, film.meanColors()); }
 
 float autoExposure(const Film& film, const std::vector<Rgb>& color) {
-  // What is seen of the outdoors tells little about how the room should look, but a view without any surface
-  // must still be exposed.
-  constexpr double kSkyWeight = 0.02;
+  // What is seen of the outdoors tells little about how the room should look, but a view of nothing else must
+  // still be exposed.
+  enum { kHome, kLand, kSky, kKinds };
+  constexpr double kWeight[kKinds] = {1, 0.1, 0.02};
   constexpr double kLow = 0.05, kHigh = 0.85;
   constexpr int kBlocks = 60;  // along the shorter side
   const int block = std::max(std::min(film.width, film.height) / kBlocks, 1);
@@ -59,25 +60,25 @@ float autoExposure(const Film& film, const std::vector<Rgb>& color) {
   double albedoSum = 0, albedoWeight = 0;
   for (int y0 = 0; y0 < film.height; y0 += block) {
     for (int x0 = 0; x0 < film.width; x0 += block) {
-      double sum[2] = {0, 0};  // surfaces, sky
-      int count[2] = {0, 0};
+      double sum[kKinds] = {0, 0, 0};
+      int count[kKinds] = {0, 0, 0};
       for (int y = y0; y < std::min(y0 + block, film.height); ++y) {
         for (int x = x0; x < std::min(x0 + block, film.width); ++x) {
           const std::size_t i = film.index(x, y);
           const float l = luminance(color[i]);
           if (!(l >= 0) || !std::isfinite(l)) continue;
-          const bool sky = film.depth[i] == 0;
-          sum[sky] += static_cast<double>(l);
-          ++count[sky];
+          const int kind = film.depth[i] == 0 ? kSky : film.objectId[i] == 0 ? kLand : kHome;
+          sum[kind] += static_cast<double>(l);
+          ++count[kind];
           const float albedo = luminance(film.meanAlbedo(i));
-          if (sky || !std::isfinite(albedo)) continue;
-          albedoSum += static_cast<double>(std::clamp(albedo, 0.0f, 1.0f));
-          albedoWeight += 1;
+          if (kind == kSky || !std::isfinite(albedo)) continue;
+          albedoSum += static_cast<double>(std::clamp(albedo, 0.0f, 1.0f)) * kWeight[kind];
+          albedoWeight += kWeight[kind];
         }
       }
-      for (int sky = 0; sky < 2; ++sky) {
-        const double mean = count[sky] > 0 ? sum[sky] / count[sky] : 0;
-        if (mean > kDarkest) histogram.add(std::log2(mean), count[sky] * (sky ? kSkyWeight : 1.0));
+      for (int kind = 0; kind < kKinds; ++kind) {
+        const double mean = count[kind] > 0 ? sum[kind] / count[kind] : 0;
+        if (mean > kDarkest) histogram.add(std::log2(mean), count[kind] * kWeight[kind]);
       }
     }
   }

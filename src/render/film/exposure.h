@@ -11,8 +11,9 @@ float exposureMultiplier(float ev100);
 float ev100FromMultiplier(float multiplier);
 
 // The EV100 at which the room comes out bright: the log-average luminance of the picture's surfaces lands on
-// a mid-tone of 0.22 to 0.4, higher in pale rooms than in dark ones. Sky seen through windows, the night
-// outside, and the darkest and brightest shares of the picture hardly count. Measured over blocks of pixels,
+// a mid-tone of 0.22 to 0.4, higher in pale rooms than in dark ones. Sky and land (objectId 0) beside the
+// home or seen through its windows, the night outside, and the darkest and brightest shares of the picture
+// hardly count. Measured over blocks of pixels,
 // because single noisy pixels are mostly too dark. 8 for a picture without light; always from kMinEv to
 // kMaxEv.
 inline constexpr float kMinEv = -6;

@@ -125,8 +125,9 @@ class Session:
 
     def warnings(self, file):
         """What is said of a home while it is built."""
-        return subprocess.run([str(self.binaries / "idap"), "info", str(file)], env=self.environment,
-                              capture_output=True, text=True).stderr
+        picture = ["render", str(file), "-o", str(self.folder / "tiny.png"), "--size", "32x20", "--spp", "1"]
+        return subprocess.run([str(self.binaries / "idap"), *picture], env=self.environment, capture_output=True,
+                              text=True).stderr
 
     def content(self, file):
         """What an .idap says of the home."""
@@ -155,7 +156,15 @@ class Session:
         subprocess.run(["import", "-window", "root", f"{folder}/session_{self.shots:02d}_{name}.png"],
                        env=self.environment)
 
+    def keep(self):
+        """Beside the pictures of the screen, what the session made."""
+        folder = os.environ.get("IDAP_SHOTS")
+        for file in self.folder.iterdir() if folder else ():
+            if file.suffix in (".pdf", ".png", ".mp4", ".idap"):
+                shutil.copy(file, folder)
+
     def end(self):
+        self.keep()
         if self.program and self.program.poll() is None:
             self.program.send_signal(signal.SIGKILL)
             self.program.wait()

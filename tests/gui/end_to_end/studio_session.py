@@ -6,7 +6,7 @@ and a film; quit. What was saved is judged by `idap info` and by the files thems
     studio_session.py BIN_FOLDER
 
 Exit status 0: all went well; 77: Xvfb or xdotool is missing, nothing was tried; else what went wrong is said.
-IDAP_SHOTS=FOLDER keeps pictures of the screen, where ImageMagick is there to take them.
+IDAP_SHOTS=FOLDER keeps what it made, and pictures of the screen where ImageMagick is there to take them.
 """
 import pathlib
 import shutil

@@ -18,6 +18,7 @@ Film room(float wall, float albedo, float skyShare, float sky) {
     if (!outside) {
       film.albedo[i] = {albedo, albedo, albedo};
       film.depth[i] = 3;
+      film.objectId[i] = 1;
     }
   }
   return film;
@@ -54,6 +55,15 @@ TEST(Exposure, BrightWindowsDoNotMakeTheRoomMurky) {
 
 TEST(Exposure, TheNightOutsideDoesNotWashTheRoomOut) {
   EXPECT_LT(shownWall(room(40, 0.5f, 0.4f, 0.001f), 40), 1.25f * shownWall(room(40, 0.5f, 0, 0), 40));
+}
+
+TEST(Exposure, ASunnyMeadowAroundTheHomeDoesNotDarkenIt) {
+  Film film = room(40, 0.5f, 0, 0);
+  for (std::size_t i = 0; i < film.pixels() * 7 / 10; ++i) {
+    film.color[i] = {2000, 2000, 2000};
+    film.objectId[i] = 0;
+  }
+  EXPECT_GT(shownWall(film, 40), 0.6f * shownWall(room(40, 0.5f, 0, 0), 40));
 }
 
 TEST(Exposure, AViewOfTheSkyAloneIsExposedToo) {
