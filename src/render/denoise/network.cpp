@@ -72,6 +72,7 @@ struct DenoiseNetwork::Impl {
   Impl(bool fast, Format f);
   Layer load(const std::string& name, int firstInput, int secondInput);
   Map convolve(const std::string& name, const Map& from, bool last = false);
+  static int stripRows(const Layer& layer, const Map& from);
   Map halve(const Map& from) { return halved(from, format, pool); }
   Map join(const Map& low, const Map& skip) { return joined(low, skip, format, pool); }
   Map runOn(const Map& input);
@@ -154,9 +155,14 @@ DenoiseNetwork::Impl::Layer DenoiseNetwork::Impl::load(const std::string& name, 
   return layer;
 }
 
+// Rows that take some milliseconds.
+int DenoiseNetwork::Impl::stripRows(const Layer& layer, const Map& from) {
+  constexpr double kProducts = 4e8;
+  return std::clamp(static_cast<int>(kProducts / (9.0 * layer.in * layer.out * from.width)), 8, from.height);
+}
+
 // 3 x 3 with ReLU. The last one writes floats: bfloat16 would show as bands.
 Map DenoiseNetwork::Impl::convolve(const std::string& name, const Map& from, bool last) {
-  if (progress) progress->check();
   using Memory = dnnl::memory;
   Layer& layer = layers.at(name);
   const auto type = format.bf16 ? Memory::data_type::bf16 : Memory::data_type::f32;
@@ -164,36 +170,48 @@ Map DenoiseNetwork::Impl::convolve(const std::string& name, const Map& from, boo
   const auto tag = format.blocked ? Memory::format_tag::nChw16c : Memory::format_tag::nhwc;
   Map to(layer.out, from.width, from.height, {format.bf16 && !last, format.blocked}, pool);
 
-  const Memory::desc source({1, layer.in, from.height, from.width}, type, tag);
-  const Memory::desc target({1, layer.out, from.height, from.width}, outType, tag);
-  const Memory::desc anyWeights({layer.out, layer.in, 3, 3}, type, Memory::format_tag::any);
   dnnl::post_ops relu;
   relu.append_eltwise(1, dnnl::algorithm::eltwise_relu, 0, 0);
   dnnl::primitive_attr attributes;
   attributes.set_post_ops(relu);
-  const dnnl::convolution_forward::primitive_desc description({dnnl::prop_kind::forward_inference,
-                                                               dnnl::algorithm::convolution_direct,
-                                                               source,
-                                                               anyWeights,
-                                                               layer.bias.get_desc(),
-                                                               target,
-                                                               {1, 1},
-                                                               {1, 1},
-                                                               {1, 1}},
-                                                              attributes, engine);
-  if (layer.weights.get_desc() != description.weights_desc()) {
-    Memory reordered(description.weights_desc(), engine);
-    dnnl::reorder(layer.weights, reordered).execute(stream, layer.weights, reordered);
+  const Memory::desc anyWeights({layer.out, layer.in, 3, 3}, type, Memory::format_tag::any);
+  // In strips, so that whoever gives up does not wait for a whole layer. Blocks of channels lie apart.
+  const int rows = format.blocked ? from.height : stripRows(layer, from);
+  const std::size_t sourceRow = std::size_t(from.width) * std::size_t(layer.in) * format.bytes();
+  const std::size_t targetRow = std::size_t(from.width) * std::size_t(layer.out) *
+                                (last ? sizeof(float) : static_cast<std::size_t>(format.bytes()));
+  for (int y = 0; y < from.height; y += rows) {
+    if (progress) progress->check();
+    const int end = std::min(y + rows, from.height);
+    const int above = y > 0, below = end < from.height;  // rows of the neighbours, instead of zeros
+    const Memory::desc source({1, layer.in, above + end - y + below, from.width}, type, tag);
+    const Memory::desc target({1, layer.out, end - y, from.width}, outType, tag);
+    const dnnl::convolution_forward::primitive_desc description({dnnl::prop_kind::forward_inference,
+                                                                 dnnl::algorithm::convolution_direct,
+                                                                 source,
+                                                                 anyWeights,
+                                                                 layer.bias.get_desc(),
+                                                                 target,
+                                                                 {1, 1},
+                                                                 {1 - above, 1},
+                                                                 {1 - below, 1}},
+                                                                attributes, engine);
+    if (layer.weights.get_desc() != description.weights_desc()) {
+      Memory reordered(description.weights_desc(), engine);
+      dnnl::reorder(layer.weights, reordered).execute(stream, layer.weights, reordered);
+      stream.wait();
+      layer.weights = reordered;
+    }
+    if (implementation.empty()) implementation = description.impl_info_str();
+    std::byte* input = const_cast<std::byte*>(from.data()) + static_cast<std::size_t>(y - above) * sourceRow;
+    std::byte* output = to.data() + static_cast<std::size_t>(y) * targetRow;
+    dnnl::convolution_forward(description)
+        .execute(stream, {{DNNL_ARG_SRC, Memory(source, engine, input)},
+                          {DNNL_ARG_WEIGHTS, layer.weights},
+                          {DNNL_ARG_BIAS, layer.bias},
+                          {DNNL_ARG_DST, Memory(target, engine, output)}});
     stream.wait();
-    layer.weights = reordered;
   }
-  if (implementation.empty()) implementation = description.impl_info_str();
-  dnnl::convolution_forward(description)
-      .execute(stream, {{DNNL_ARG_SRC, Memory(source, engine, const_cast<std::byte*>(from.data()))},
-                        {DNNL_ARG_WEIGHTS, layer.weights},
-                        {DNNL_ARG_BIAS, layer.bias},
-                        {DNNL_ARG_DST, Memory(target, engine, to.data())}});
-  stream.wait();
   return to;
 }
 

@@ -29,9 +29,11 @@ namespace {
 constexpr double kCoarsePixels = 3600;    // traced for the first frame, at most
 constexpr double kSketchPixels = 50'000;  // that it is enlarged to, at most
 constexpr double kCoarseTime = 0.026;     // s that it may take: slow machines trace fewer
-constexpr double kFewest = 0.3;           // share of those pixels, at least
-constexpr double kCalm = 0.35;            // how far the exposure of coarse frames follows each new one
-constexpr float kJump = 1.5f;             // stops from where it does so at once
+constexpr double kAnswerTime = 0.035;  // s from an edit to its frame; less is left where building takes long
+constexpr double kShortest = 0.012;    // s that are left at least
+constexpr double kFewest = 0.3;        // share of those pixels, at least
+constexpr double kCalm = 0.35;         // how far the exposure of coarse frames follows each new one
+constexpr float kJump = 1.5f;          // stops from where it does so at once
 
 // Tracing threads give way to the window's.
 class LowPriority : public tbb::task_scheduler_observer {
@@ -165,8 +167,10 @@ struct LiveRender::Impl {
         progress = refining = std::make_shared<Progress>();
       }
       try {
+        const auto began = std::chrono::steady_clock::now();
         stage.follow(request, *building);
-        coarse();
+        const std::chrono::duration<double> built = std::chrono::steady_clock::now() - began;
+        coarse(std::clamp(kAnswerTime - built.count(), kShortest, kCoarseTime));
         refine(*progress);
       } catch (const Cancelled&) {
       } catch (const std::exception& error) {
@@ -195,7 +199,7 @@ struct LiveRender::Impl {
 
   // A frame at once: little light, much sharpness. Never broken off, so that something shows while changes
   // come in faster than frames.
-  void coarse() {
+  void coarse(double budget) {
     const auto began = std::chrono::steady_clock::now();
     const auto [w, h] = sized(request, share * kCoarsePixels);
     render::RenderSettings settings;
@@ -225,7 +229,7 @@ struct LiveRender::Impl {
     for (Rgb& c : large) c = balance(c) * gain;
     emitFrame(render::toImage(large, sw, sh, request.toneMap), 0, false);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    share = std::clamp(share * std::clamp(kCoarseTime / took.count(), 0.85, 1.1), kFewest, 1.0);
+    share = std::clamp(share * std::clamp(budget / took.count(), 0.7, 1.1), kFewest, 1.0);
   }
 
   // Half the size first, then the whole in waves of doubling length.

@@ -119,6 +119,7 @@ void LivePanel::Impl::connectParts() {
         Camera inside = view->camera();
         inside.eye = {middle.x, middle.y, elevationOf(editor.home(), room->level) + 1.6};
         inside.pitch = 0;
+        inside.fieldOfView = 75 * kPi / 180;  // a room, not a part of it
         view->setCamera(inside);
         break;
       }
