@@ -90,8 +90,13 @@ class ShowingPictures : public Photographer {
     (void)QTest::qWaitFor([&] { return window->queue().jobs().empty(); }, 180'000);
     QTest::qWait(500);
     const auto first = editor().home().pictures.begin();
-    window->lookAt(first->first);
+    window->lookAt(first->first);  // from above
     shoot("pictures-gallery", window);
+    editor().apply("Evening", [](const Home& before) {
+      Home home = before;
+      home.site.time += 5 * 3'600'000LL;
+      return home;
+    });
     part<QToolButton>(window, "makeAgain")->click();
     (void)QTest::qWaitFor([&] { return window->queue().jobs().empty(); }, 180'000);
     QTest::qWait(500);
