@@ -15,8 +15,16 @@ PictureKind pictureKind(const std::string& file) {
   throw UsageError("-o " + file + ": the name must end in " + endings);
 }
 
+render::ToneMap toneMap(const std::string& text) {
+  for (const auto map :
+       {render::ToneMap::PbrNeutral, render::ToneMap::AgX, render::ToneMap::Classic, render::ToneMap::Linear})
+    if (render::name(map) == text) return map;
+  throw UsageError("--tone " + text + ": choose neutral, agx, classic or linear");
+}
+
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
-                 const std::vector<std::string>& lightGroups, const render::DevelopSettings& settings) {
+                 const std::vector<render::LightGroup>& lightGroups,
+                 const render::DevelopSettings& settings) {
   if (kind == PictureKind::Exr)
     writeFilm(file, film, lightGroups);
   else

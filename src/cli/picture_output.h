@@ -12,7 +12,10 @@ namespace idap::cli {
 // By the extension; throws UsageError for one that is not known.
 PictureKind pictureKind(const std::string& file);
 
+// By its name; throws UsageError.
+render::ToneMap toneMap(const std::string& text);
+
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
-                 const std::vector<std::string>& lightGroups, const render::DevelopSettings& settings);
+                 const std::vector<render::LightGroup>& lightGroups, const render::DevelopSettings& settings);
 
 }  // namespace idap::cli

@@ -51,13 +51,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-render::ToneMap toneMap(const std::string& text) {
-  for (const auto map :
-       {render::ToneMap::PbrNeutral, render::ToneMap::AgX, render::ToneMap::Classic, render::ToneMap::Linear})
-    if (render::name(map) == text) return map;
-  throw UsageError("--tone " + text + ": choose neutral, agx, classic or linear");
-}
-
 int renderPicture(const Options& options) {
   const auto [width, height] = parseSize(options.size);
   const PictureKind kind = pictureKind(options.output);
@@ -138,7 +131,7 @@ int renderPicture(const Options& options) {
                                       {"rays", stats.rays},
                                       {"triangles", built.triangles},
                                       {"instances", built.scene->instances.size()},
-                                      {"lights", built.scene->lightGroups.size() - 1},
+                                      {"lights", built.scene->lightGroups.size() - 2},
                                       {"peak_rss_mb", rounded(peakMemoryMegabytes())},
                                       {"interrupted", progress.cancelled()},
                                       {"output", options.output}};

@@ -56,7 +56,7 @@ void writePicture(const std::filesystem::path& file, PictureKind kind, const Ima
 }
 
 void writeFilm(const std::filesystem::path& file, const render::Film& film,
-               const std::vector<std::string>& lightGroups) {
+               const std::vector<render::LightGroup>& lightGroups) {
   render::saveLayers(file, film, lightGroups);
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/image8.h"
 #include "render/film/film.h"
+#include "render/light_group.h"
 
 namespace idap {
 
@@ -28,6 +29,6 @@ std::optional<PictureKind> pictureKindOf(const std::filesystem::path& file);
 void writePicture(const std::filesystem::path& file, PictureKind kind, const Image8& image);
 // Linear light with all its layers, as EXR.
 void writeFilm(const std::filesystem::path& file, const render::Film& film,
-               const std::vector<std::string>& lightGroups);
+               const std::vector<render::LightGroup>& lightGroups);
 
 }  // namespace idap

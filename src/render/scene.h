@@ -11,6 +11,7 @@
 #include "geometry/mesh.h"
 #include "geometry/transform.h"
 #include "light/rgb.h"
+#include "render/light_group.h"
 
 namespace idap::render {
 
@@ -106,8 +107,9 @@ struct Scene {
   Sun sun;
   Sky sky;
   std::vector<Portal> portals;
-  std::vector<std::string> lightGroups{"daylight"};  // names by index; 0 is sun and sky
-  Rgb classicBackground{0.6f, 0.75f, 0.95f};         // what the classic integrator shows where nothing is hit
+  std::vector<LightGroup> lightGroups{{"daylight"}};  // by index; 0 is the sky
+  std::uint16_t sunGroup = 0;                         // of lightGroups; 0: the sun is counted to the sky
+  Rgb classicBackground{0.6f, 0.75f, 0.95f};  // what the classic integrator shows where nothing is hit
 };
 
 enum class Projection { Perspective, Orthographic, Fisheye, Equirectangular };

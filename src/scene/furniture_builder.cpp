@@ -247,7 +247,10 @@ void FurnitureBuilder::addLight(FurnitureId id, const std::shared_ptr<const Furn
   options.lumens = lumens;
   if (scene.lightGroups.size() < kMostGroups) {
     options.lightGroup = static_cast<std::uint16_t>(scene.lightGroups.size());
-    scene.lightGroups.push_back(piece->name.empty() ? "lamp" : piece->name);
+    const auto& sources = piece->lamp->sources;
+    scene.lightGroups.push_back(
+        {piece->name.empty() ? "lamp" : piece->name,
+         lampColor(*piece->lamp, sources.empty() ? std::optional<Color>() : sources.front().color)});
   } else {
     options.lightGroup = static_cast<std::uint16_t>(kMostGroups - 1);
   }

@@ -173,6 +173,8 @@ class Build {
     models_.use(home, catalog);
     memory_.pieceMeshes.nextBuild();
     built_.scene = std::make_shared<render::Scene>();
+    built_.scene->lightGroups = {{"sky"}, {"sun"}};
+    built_.scene->sunGroup = 1;
     built_.objects.emplace_back();
   }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "formats/registry.h"
+#include "light/color_temperature.h"
 #include "scene/room_builder.h"
 #include "scene/sloped_ceiling.h"
 #include "scene_test_support.h"
@@ -319,7 +320,8 @@ TEST(SceneBuilder, ABulbInTheCeilingIsMovedIntoTheRoom) {
   const BuiltScene built = buildScene(home, noLibraries());
   ASSERT_EQ(built.scene->lamps.size(), 1u);
   EXPECT_LT(built.scene->lamps[0].position.z + built.scene->lamps[0].radius, 2.498f);
-  EXPECT_EQ(built.scene->lightGroups, (std::vector<std::string>{"daylight", "chair"}));
+  EXPECT_EQ(built.scene->lightGroups,
+            (std::vector<render::LightGroup>{{"sky"}, {"sun"}, {"chair", rgbFromTemperature(2700)}}));
 }
 
 TEST(SceneBuilder, TheSunStandsInTheSouthAtNoon) {

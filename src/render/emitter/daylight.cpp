@@ -36,7 +36,8 @@ Vec2f pointOf(Vec3f d) {
 
 }  // namespace
 
-Daylight::Daylight(const CompiledScene& scene) : sun_(scene.scene().sun), sky_(scene.scene().sky) {
+Daylight::Daylight(const CompiledScene& scene)
+    : sun_(scene.scene().sun), sunGroup_(scene.scene().sunGroup), sky_(scene.scene().sky) {
   if (maxComponent(sun_.illuminance) > 0 && std::isfinite(maxComponent(sun_.illuminance))) {
     hasSun_ = true;
     sun_.direction = normalized(sun_.direction);
@@ -128,7 +129,7 @@ bool Daylight::seesSun(const Receiver& at) const {
 
 bool Daylight::sampleSun(const Receiver& at, Vec2f u, LightSample& s) const {
   if (!seesSun(at)) return false;
-  s.lightGroup = 0;
+  s.lightGroup = sunGroup_;
   s.distance = std::numeric_limits<float>::infinity();
   s.wi = Frame(sun_.direction).toWorld(uniformCone(u, sunCone_));
   s.pdf = 1 / coneSolidAngle(sunCone_);

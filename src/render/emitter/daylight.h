@@ -27,6 +27,7 @@ class Daylight {
   float pdfSun(const Receiver& at) const;
   bool hasSun() const { return hasSun_; }
   bool hasSky() const { return hasSky_; }
+  std::uint16_t sunGroup() const { return sunGroup_; }
 
  private:
   struct Opening {
@@ -48,6 +49,7 @@ class Daylight {
   Rgb sunRadiance_{};
   float sunCone_ = 0.0f;  // 1 - cos of its radius
   bool hasSun_ = false, hasSky_ = false;
+  std::uint16_t sunGroup_ = 0;
   const Sky& sky_;
   Distribution2D map_;
   std::vector<Opening> openings_;

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstring>
+#include <locale>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -41,13 +44,18 @@ Bytes encode(const std::string& extension, const OIIO::ImageSpec& spec, OIIO::Ty
   return {first, first + memory.buffer().size()};
 }
 
-std::string layerName(const std::vector<std::string>& names, std::size_t group) {
-  std::string name =
-      group < names.size() && !names[group].empty() ? names[group] : fmt::format("group{}", group);
-  // A dot divides layer from channel.
+std::string layerName(const std::vector<LightGroup>& groups, std::size_t group) {
+  std::string name = group < groups.size() && !groups[group].name.empty() ? groups[group].name
+                                                                          : fmt::format("group{}", group);
+  // A dot divides layer from channel, a line one name from the next.
   std::ranges::replace(name, '.', '_');
+  for (char& c : name)
+    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
   return name;
 }
+
+constexpr const char* kLightLayers = "idap:lightLayers";  // their names, a line each
+constexpr const char* kLightColors = "idap:lightColors";  // linear RGB of each, luminance 1; 0: not known
 
 }  // namespace
 
@@ -96,14 +104,18 @@ Image8 loadPicture(const std::filesystem::path& path) {
   return image;
 }
 
-void saveLayers(const std::filesystem::path& path, const Film& film,
-                const std::vector<std::string>& groupNames) {
+void saveLayers(const std::filesystem::path& path, const Film& film, const std::vector<LightGroup>& groups) {
   std::vector<std::string> channels{"R",        "G",        "B",        "albedo.R", "albedo.G", "albedo.B",
                                     "normal.X", "normal.Y", "normal.Z", "depth.Z",  "objectId"};
+  std::string names;
+  std::vector<float> colors;
   for (std::size_t g = 0; g < film.groups.size(); ++g) {
-    std::string name = layerName(groupNames, g);
+    std::string name = layerName(groups, g);
     if (std::ranges::find(channels, name + ".R") != channels.end()) name += fmt::format("_{}", g);
     for (const char* c : {".R", ".G", ".B"}) channels.push_back(name + c);
+    names += name + '\n';
+    const Rgb color = g < groups.size() ? groups[g].color : Rgb{};
+    for (int k = 0; k < 3; ++k) colors.push_back(color[k]);
   }
   const std::size_t count = channels.size();
   OIIO::ImageSpec spec(film.width, film.height, static_cast<int>(count), OIIO::TypeDesc::HALF);
@@ -112,6 +124,12 @@ void saveLayers(const std::filesystem::path& path, const Film& film,
   spec.channelformats[9] = spec.channelformats[10] = OIIO::TypeDesc::FLOAT;
   spec.attribute("compression", "zip");
   spec.attribute("idap:samples", film.samples);
+  if (!names.empty()) {
+    spec.attribute(kLightLayers, names);
+    std::string text;
+    for (const float c : colors) text += fmt::format("{} ", c);
+    spec.attribute(kLightColors, text);
+  }
 
   std::vector<float> pixels;
   pixels.reserve(film.pixels() * count);
@@ -134,6 +152,70 @@ void saveLayers(const std::filesystem::path& path, const Film& film,
     throw IoError(path.string() + ": " + error.what());
   }
   writeFileAtomically(path, bytes);
+}
+
+Layers loadLayers(const std::filesystem::path& path) {
+  const auto fail = [&path](const std::string& why) -> IoError {
+    return IoError(path.string() + ": " + why);
+  };
+  const auto input = OIIO::ImageInput::open(path.string());
+  if (!input) throw fail("cannot be read as a picture: " + OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (std::string_view(input->format_name()) != "openexr") throw fail("is no OpenEXR picture");
+  const auto channel = [&spec](const std::string& name) { return spec.channelindex(name); };
+  if (channel("R") < 0 || channel("G") < 0 || channel("B") < 0) throw fail("has no colours R, G and B");
+
+  Layers layers;
+  std::vector<int> first;  // channels R of the groups
+  std::istringstream names(std::string(spec.get_string_attribute(kLightLayers)));
+  std::istringstream colors(std::string(spec.get_string_attribute(kLightColors)));
+  colors.imbue(std::locale::classic());
+  for (std::string name; std::getline(names, name);) {
+    const int at = channel(name + ".R");
+    if (at < 0 || channel(name + ".G") != at + 1 || channel(name + ".B") != at + 2)
+      throw fail("lacks a part of the light \"" + name + "\"");
+    LightGroup group{name};
+    colors >> group.color.x >> group.color.y >> group.color.z;
+    for (int k = 0; k < 3; ++k)
+      if (!(group.color[k] >= 0 && group.color[k] < 100)) group.color = {};
+    first.push_back(at);
+    layers.groups.push_back(std::move(group));
+  }
+  try {
+    layers.film = Film(spec.width, spec.height, static_cast<int>(first.size()));
+  } catch (const RenderError& error) {
+    throw fail(error.what());
+  }
+  Film& film = layers.film;
+  film.samples = std::clamp(spec.get_int_attribute("idap:samples"), 1, 1 << 24);
+  const auto count = static_cast<std::size_t>(spec.nchannels);
+  std::vector<float> row(static_cast<std::size_t>(spec.width) * count);
+  const auto read = [&](std::size_t x, int from) {
+    const float* at = &row[x * count + static_cast<std::size_t>(from)];
+    Vec3f v{at[0], at[1], at[2]};
+    for (int k = 0; k < 3; ++k)
+      if (!std::isfinite(v[k])) v[k] = 0;
+    return v;
+  };
+  const int albedo = channel("albedo.R"), normal = channel("normal.X"), depth = channel("depth.Z"),
+            object = channel("objectId"), color = channel("R");
+  for (int y = 0; y < spec.height; ++y) {
+    if (!input->read_scanline(y + spec.y, 0, OIIO::TypeDesc::FLOAT, row.data()))
+      throw fail("is damaged: " + input->geterror());
+    for (std::size_t x = 0; x < static_cast<std::size_t>(spec.width); ++x) {
+      const std::size_t i = film.index(static_cast<int>(x), y);
+      film.weight[i] = 1;
+      film.color[i] = read(x, color);
+      if (albedo >= 0) film.albedo[i] = read(x, albedo);
+      if (normal >= 0) film.normal[i] = read(x, normal);
+      const float* values = &row[x * count];
+      if (depth >= 0 && std::isfinite(values[depth])) film.depth[i] = values[depth];
+      if (object >= 0 && values[object] > 0 && values[object] < 4e9f)
+        film.objectId[i] = static_cast<std::uint32_t>(values[object]);
+      for (std::size_t g = 0; g < first.size(); ++g) film.groups[g][i] = read(x, first[g]);
+    }
+  }
+  return layers;
 }
 
 }  // namespace idap::render

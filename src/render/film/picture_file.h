@@ -10,6 +10,7 @@
 #include "base/bytes.h"
 #include "base/image8.h"
 #include "render/film/film.h"
+#include "render/light_group.h"
 
 namespace idap::render {
 
@@ -24,8 +25,16 @@ Bytes encodePicture(const Image8& image, std::string_view extension, int quality
 Image8 loadPicture(const std::filesystem::path& path);
 
 // The film as a half-float OpenEXR file in cd/m2: R, G, B; albedo.R.., normal.X.., depth.Z and objectId in
-// full floats, and one layer a light group, named by groupNames (missing names become "group0", ...).
+// full floats, and one layer a light group (missing names become "group0", ...).
 void saveLayers(const std::filesystem::path& path, const Film& film,
-                const std::vector<std::string>& groupNames = {});
+                const std::vector<LightGroup>& groups = {});
+
+// What saveLayers() wrote, a sample a pixel, with the names that the layers have in the file. Other OpenEXR
+// files come without light groups; without their colours R, G and B they are refused.
+struct Layers {
+  Film film;
+  std::vector<LightGroup> groups;
+};
+Layers loadLayers(const std::filesystem::path& path);
 
 }  // namespace idap::render

@@ -149,21 +149,24 @@ void PathTracer::addSky(Walk& walk) const {
     if (options_.lightSampling == LightSampling::LightsOnly) return lightPdf > 0 ? 0.0f : 1.0f;
     return share(walk.pdf, lightPdf);
   };
-  Rgb light{};
+  Rgb fromSky{}, fromSun{};
   if (daylight.hasSky()) {
     const Rgb sky = daylight.skyRadiance(walk.ray.direction);
     if (maxComponent(sky) > 0)
-      light +=
+      fromSky =
           sky * weigh(walk.sharp ? 0.0f : walk.skyShare * daylight.pdfSky(walk.from, walk.ray.direction));
   }
   if (daylight.hasSun()) {
     const Rgb sun = daylight.sunRadiance(walk.ray.direction);
-    if (maxComponent(sun) > 0) light += sun * weigh(walk.sharp ? 0.0f : daylight.pdfSun(walk.from));
+    if (maxComponent(sun) > 0) fromSun = sun * weigh(walk.sharp ? 0.0f : daylight.pdfSun(walk.from));
   }
-  light *= walk.throughput;
-  if (options_.clampIndirect > 0 && walk.bounces > 1)
-    light *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
-  walk.add(light, 0);
+  Rgb throughput = walk.throughput;
+  if (options_.clampIndirect > 0 && walk.bounces > 1) {
+    const Rgb light = (fromSky + fromSun) * throughput;
+    throughput *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
+  }
+  walk.add(fromSky * throughput, 0);
+  if (maxComponent(fromSun) > 0) walk.add(fromSun * throughput, daylight.sunGroup());
 }
 
 bool PathTracer::passLamp(Walk& walk, const Hit& hit) const {

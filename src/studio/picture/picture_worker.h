@@ -10,6 +10,7 @@
 #include "catalog/catalog.h"
 #include "model/home.h"
 #include "render/film/film.h"
+#include "render/light_group.h"
 #include "scene/scene_builder.h"
 
 namespace idap {
@@ -31,7 +32,7 @@ struct PictureRequest {
 // What a picture was made of, for files that keep its light.
 struct PictureFilm {
   render::Film film;
-  std::vector<std::string> lightGroups;
+  std::vector<render::LightGroup> lightGroups;
 };
 
 // Belongs to the GUI thread; so do its signals.

@@ -78,7 +78,7 @@ TEST_F(PictureFile, LayersKeepRealUnitsAndNames) {
     film.depth[i] = 7;
     film.groups[1][i] = {8, 8, 8};
   }
-  saveLayers(folder_ / "film.exr", film, {"daylight", "kitchen.lamp"});
+  saveLayers(folder_ / "film.exr", film, {{"daylight"}, {"kitchen.lamp"}});
   const Bytes bytes = readFile(folder_ / "film.exr");
   const std::string_view text = asText(bytes);
   for (const char* channel :

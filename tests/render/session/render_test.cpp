@@ -42,7 +42,7 @@ SceneMaker variedRoom() {
   make.scene().sun = {normalized(Vec3f{1, 0.1f, 0.8f}), grey(2000), 0.2f};
   make.scene().sky = {8, 4, std::vector<Rgb>(32, Rgb{200, 250, 300})};
   make.scene().portals.push_back({{2, -2, 0}, {0, 4, 0}, {0, 0, 2.5f}});
-  make.scene().lightGroups = {"daylight", "panel", "bulb"};
+  make.scene().lightGroups = {{"daylight"}, {"panel"}, {"bulb"}};
   return make;
 }
 
