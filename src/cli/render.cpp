@@ -20,6 +20,7 @@
 #include "cli/usage_error.h"
 #include "render/accel/compiled_scene.h"
 #include "render/film/develop.h"
+#include "render/film/picture_file.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
 #include "scene/cut_away.h"
@@ -35,7 +36,7 @@ struct Options {
   int spp = 0, threads = 0;
   double time = 0;
   std::optional<double> exposure, clouds;
-  bool noDenoise = false, cutAway = false, json = false;
+  bool noDenoise = false, cutAway = false, resume = false, json = false;
 };
 
 class Stopwatch {
@@ -51,9 +52,38 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+constexpr double kSaveEvery = 60;  // s of tracing between two files of a picture that is being made
+
+// What a picture shows, in words: of the same words one can be taken up again.
+std::string wordsFor(const Options& options, const Camera& camera, const BuildOptions& build, bool cut) {
+  std::uint64_t hash = 14'695'981'039'346'656'037u;  // FNV-1a of the home's file
+  for (const std::byte byte : readFile(options.input, std::size_t{1} << 31))
+    hash = (hash ^ static_cast<std::uint64_t>(byte)) * 1'099'511'628'211u;
+  return fmt::format(
+      "home {:x}, eye {} {} {}, view {} {} {}, lens {}, time {}, lamps {}, clouds {}, cut {}, {}", hash,
+      camera.eye.x, camera.eye.y, camera.eye.z, camera.yaw, camera.pitch, camera.fieldOfView,
+      static_cast<int>(camera.lens), build.time.value_or(0), options.lamps, build.cloudiness.value_or(-1),
+      cut, options.integrator);
+}
+
+// Into an empty film, what was made of it before. Nothing there yet is no error: it is begun then.
+void takeUp(render::Film& film, const std::string& made, const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return;
+  render::Layers before = render::loadLayers(file);
+  if (before.made != made || before.film.width != film.width || before.film.height != film.height ||
+      before.film.groups.size() != film.groups.size())
+    throw IoError(file +
+                  ": was made of another home, view or size and cannot be gone on with; leave out --resume "
+                  "to make it anew, or choose another name");
+  film = std::move(before.film);
+}
+
 int renderPicture(const Options& options) {
   const auto [width, height] = parseSize(options.size);
   const PictureKind kind = pictureKind(options.output);
+  if (options.resume && kind != PictureKind::Exr)
+    throw UsageError("--resume goes on with an OpenEXR picture: let -o end in .exr");
   render::Film::requireSize(width, height);  // before anybody waits for the home
   requireWritable(options.output);
   const bool classic = options.integrator == "classic";
@@ -103,8 +133,21 @@ int renderPicture(const Options& options) {
                     settings.perLightGroupLayers ? static_cast<int>(built.scene->lightGroups.size()) : 0);
   const render::Camera view = toRenderCamera(camera, built, aspect);
   if (!classic) settings.clampIndirect = render::clampFor(render::pilotExposure(scene, view, settings));
-  const render::RenderStats stats = render::render(scene, view, settings, film, progress);
-  if (stats.paths == 0) throw Cancelled();
+  const std::string made = kind == PictureKind::Exr ? wordsFor(options, camera, build, cut) : std::string();
+  if (options.resume) takeUp(film, made, options.output);
+  render::RenderStats stats;
+  const bool begun = film.samples > 0;
+  for (bool more = true; more;) {
+    // A long picture is saved as it grows, so that what was traced is never lost.
+    const double left = options.time > 0 ? options.time - stats.seconds : 1e300;
+    settings.timeLimitSeconds = kind == PictureKind::Exr ? std::min(left, kSaveEvery) : options.time;
+    const render::RenderStats slice = render::render(scene, view, settings, film, progress);
+    stats = {stats.seconds + slice.seconds, stats.paths + slice.paths, stats.rays + slice.rays, slice.spp};
+    more = kind == PictureKind::Exr && !progress.cancelled() && left > kSaveEvery && slice.paths > 0 &&
+           (settings.spp == 0 || film.samples < settings.spp);
+    if (more) writeFilm(options.output, film, built.scene->lightGroups, made);
+  }
+  if (stats.paths == 0 && !begun) throw Cancelled();
   const double renderMs = watch.lapMilliseconds();
 
   phase = "developing";
@@ -114,7 +157,10 @@ int renderPicture(const Options& options) {
   develop.toneMap = classic ? render::ToneMap::Classic : toneMap(options.tone);
   develop.denoise = !options.noDenoise && !classic;
   develop.threads = options.threads;
-  savePicture(options.output, kind, film, built.scene->lightGroups, develop);
+  if (kind == PictureKind::Exr)
+    writeFilm(options.output, film, built.scene->lightGroups, made);
+  else
+    savePicture(options.output, kind, film, built.scene->lightGroups, develop);
   const double developMs = watch.lapMilliseconds();
 
   if (options.json) {
@@ -176,6 +222,9 @@ Job describeRender(CLI::App& app) {
   app.add_option("--clouds", options->clouds, "0 clear sky to 1 overcast; without it, as the home has it")
       ->check(within(0, 1));
   app.add_option("--threads", options->threads, "Processors to use (all)")->check(CLI::Range(1, 1024));
+  app.add_flag(
+      "--resume", options->resume,
+      "Go on with the .exr that is there, up to --spp or for --time more; begin it where there is none");
   app.add_flag("--cut-away", options->cutAway,
                "From outside: without the ceilings and the walls that are in the way");
   app.add_flag("--no-denoise", options->noDenoise, "Leave the noise in");

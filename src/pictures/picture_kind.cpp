@@ -56,8 +56,8 @@ void writePicture(const std::filesystem::path& file, PictureKind kind, const Ima
 }
 
 void writeFilm(const std::filesystem::path& file, const render::Film& film,
-               const std::vector<render::LightGroup>& lightGroups) {
-  render::saveLayers(file, film, lightGroups);
+               const std::vector<render::LightGroup>& lightGroups, const std::string& made) {
+  render::saveLayers(file, film, lightGroups, made);
 }
 
 }  // namespace idap

@@ -29,6 +29,6 @@ std::optional<PictureKind> pictureKindOf(const std::filesystem::path& file);
 void writePicture(const std::filesystem::path& file, PictureKind kind, const Image8& image);
 // Linear light with all its layers, as EXR.
 void writeFilm(const std::filesystem::path& file, const render::Film& film,
-               const std::vector<render::LightGroup>& lightGroups);
+               const std::vector<render::LightGroup>& lightGroups, const std::string& made = {});
 
 }  // namespace idap

@@ -64,5 +64,22 @@ TEST_F(Mix, WhatCannotBeIsSaidInOneLine) {
   wrong("a.png", 1, "no OpenEXR");
 }
 
+TEST_F(Mix, APictureIsGoneOnWith) {
+  const std::string how = "render " + sample() + " --camera Bedroom --size 48x32 --lamps on ";
+  ASSERT_EQ(run(how + "-o a.exr --spp 4").status, 0);
+  const auto more = run(how + "-o a.exr --spp 16 --resume --json");
+  ASSERT_EQ(more.status, 0) << more.err;
+  const auto json = nlohmann::json::parse(more.out);
+  EXPECT_EQ(json["spp"], 16);
+  EXPECT_EQ(json["paths"], 48 * 32 * 12);
+  ASSERT_EQ(run(how + "-o b.exr --spp 16").status, 0);
+  EXPECT_NEAR(brightness("a.exr") / brightness("b.exr"), 1, 0.1);
+  EXPECT_EQ(run(how + "-o a.exr --spp 16 --resume").status, 0) << "done already";
+  const auto other = run(how + "-o a.exr --spp 32 --resume --at 2026-06-21T10:00");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("another home, view or size"));
+  EXPECT_EQ(run(how + "-o a.png --resume").status, 2);
+}
+
 }  // namespace
 }  // namespace idap

@@ -54,6 +54,7 @@ std::string layerName(const std::vector<LightGroup>& groups, std::size_t group) 
   return name;
 }
 
+constexpr const char* kMade = "idap:made";
 constexpr const char* kLightLayers = "idap:lightLayers";  // their names, a line each
 constexpr const char* kLightColors = "idap:lightColors";  // linear RGB of each, luminance 1; 0: not known
 
@@ -104,9 +105,10 @@ Image8 loadPicture(const std::filesystem::path& path) {
   return image;
 }
 
-void saveLayers(const std::filesystem::path& path, const Film& film, const std::vector<LightGroup>& groups) {
+void saveLayers(const std::filesystem::path& path, const Film& film, const std::vector<LightGroup>& groups,
+                const std::string& made) {
   std::vector<std::string> channels{"R",        "G",        "B",        "albedo.R", "albedo.G", "albedo.B",
-                                    "normal.X", "normal.Y", "normal.Z", "depth.Z",  "objectId"};
+                                    "normal.X", "normal.Y", "normal.Z", "depth.Z",  "objectId", "samples"};
   std::string names;
   std::vector<float> colors;
   for (std::size_t g = 0; g < film.groups.size(); ++g) {
@@ -121,9 +123,10 @@ void saveLayers(const std::filesystem::path& path, const Film& film, const std::
   OIIO::ImageSpec spec(film.width, film.height, static_cast<int>(count), OIIO::TypeDesc::HALF);
   spec.channelnames = channels;
   spec.channelformats.assign(count, OIIO::TypeDesc::HALF);
-  spec.channelformats[9] = spec.channelformats[10] = OIIO::TypeDesc::FLOAT;
+  for (const std::size_t exact : {9, 10, 11}) spec.channelformats[exact] = OIIO::TypeDesc::FLOAT;
   spec.attribute("compression", "zip");
   spec.attribute("idap:samples", film.samples);
+  if (!made.empty()) spec.attribute(kMade, made);
   if (!names.empty()) {
     spec.attribute(kLightLayers, names);
     std::string text;
@@ -143,6 +146,7 @@ void saveLayers(const std::filesystem::path& path, const Film& film, const std::
     put(film.meanNormal(i));
     pixels.push_back(film.meanDepth(i));
     pixels.push_back(static_cast<float>(film.objectId[i]));
+    pixels.push_back(film.weight[i]);
     for (std::size_t g = 0; g < film.groups.size(); ++g) put(film.meanGroup(g, i));
   }
   Bytes bytes;
@@ -188,6 +192,7 @@ Layers loadLayers(const std::filesystem::path& path) {
   }
   Film& film = layers.film;
   film.samples = std::clamp(spec.get_int_attribute("idap:samples"), 1, 1 << 24);
+  layers.made = std::string(spec.get_string_attribute(kMade));
   const auto count = static_cast<std::size_t>(spec.nchannels);
   std::vector<float> row(static_cast<std::size_t>(spec.width) * count);
   const auto read = [&](std::size_t x, int from) {
@@ -198,21 +203,24 @@ Layers loadLayers(const std::filesystem::path& path) {
     return v;
   };
   const int albedo = channel("albedo.R"), normal = channel("normal.X"), depth = channel("depth.Z"),
-            object = channel("objectId"), color = channel("R");
+            object = channel("objectId"), color = channel("R"), samples = channel("samples");
   for (int y = 0; y < spec.height; ++y) {
     if (!input->read_scanline(y + spec.y, 0, OIIO::TypeDesc::FLOAT, row.data()))
       throw fail("is damaged: " + input->geterror());
     for (std::size_t x = 0; x < static_cast<std::size_t>(spec.width); ++x) {
       const std::size_t i = film.index(static_cast<int>(x), y);
-      film.weight[i] = 1;
-      film.color[i] = read(x, color);
-      if (albedo >= 0) film.albedo[i] = read(x, albedo);
-      if (normal >= 0) film.normal[i] = read(x, normal);
       const float* values = &row[x * count];
-      if (depth >= 0 && std::isfinite(values[depth])) film.depth[i] = values[depth];
+      const float n = samples >= 0 && values[samples] >= 0 && values[samples] <= 1e7f
+                          ? std::round(values[samples])
+                          : 1.0f;
+      film.weight[i] = n;
+      film.color[i] = read(x, color) * n;
+      if (albedo >= 0) film.albedo[i] = read(x, albedo) * n;
+      if (normal >= 0) film.normal[i] = read(x, normal) * n;
+      if (depth >= 0 && std::isfinite(values[depth])) film.depth[i] = values[depth] * n;
       if (object >= 0 && values[object] > 0 && values[object] < 4e9f)
         film.objectId[i] = static_cast<std::uint32_t>(values[object]);
-      for (std::size_t g = 0; g < first.size(); ++g) film.groups[g][i] = read(x, first[g]);
+      for (std::size_t g = 0; g < first.size(); ++g) film.groups[g][i] = read(x, first[g]) * n;
     }
   }
   return layers;

@@ -25,15 +25,17 @@ Bytes encodePicture(const Image8& image, std::string_view extension, int quality
 Image8 loadPicture(const std::filesystem::path& path);
 
 // The film as a half-float OpenEXR file in cd/m2: R, G, B; albedo.R.., normal.X.., depth.Z and objectId in
-// full floats, and one layer a light group (missing names become "group0", ...).
+// full floats, the samples of every pixel, and one layer a light group (missing names become "group0", ...).
+// made: words for what the film shows, for whoever goes on with it.
 void saveLayers(const std::filesystem::path& path, const Film& film,
-                const std::vector<LightGroup>& groups = {});
+                const std::vector<LightGroup>& groups = {}, const std::string& made = {});
 
-// What saveLayers() wrote, a sample a pixel, with the names that the layers have in the file. Other OpenEXR
-// files come without light groups; without their colours R, G and B they are refused.
+// What saveLayers() wrote, with the names that the layers have in the file. Other OpenEXR files come as one
+// sample a pixel without light groups; without their colours R, G and B they are refused.
 struct Layers {
   Film film;
   std::vector<LightGroup> groups;
+  std::string made;
 };
 Layers loadLayers(const std::filesystem::path& path);
 

@@ -88,18 +88,20 @@ TEST(LightMix, TheFileKeepsLightsNamesAndColours) {
   film.samples = 2;
   film.depth = {4, 0};
   film.objectId = {70'001, 0};
-  saveLayers(file, film, kLights);
+  saveLayers(file, film, kLights, "a corner");
   const Layers layers = loadLayers(file);
   std::filesystem::remove(file);
   EXPECT_EQ(layers.film.samples, 2);
+  EXPECT_EQ(layers.made, "a corner");
   EXPECT_EQ(layers.film.objectId[0], 70'001u);
-  EXPECT_FLOAT_EQ(layers.film.depth[0], 2);
+  EXPECT_FLOAT_EQ(layers.film.depth[0], 4);
+  EXPECT_EQ(layers.film.weight, film.weight);
   ASSERT_EQ(layers.groups.size(), kLights.size());
   for (std::size_t g = 0; g < kLights.size(); ++g) {
     EXPECT_EQ(layers.groups[g].name, kLights[g].name);
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(layers.groups[g].color[k], kLights[g].color[k], 1e-4);
-      EXPECT_NEAR(layers.film.groups[g][0][k], film.meanGroup(g, 0)[k], 0.03);
+      EXPECT_NEAR(layers.film.meanGroup(g, 0)[k], film.meanGroup(g, 0)[k], 0.03);
     }
   }
 }
