@@ -201,7 +201,9 @@ TEST_F(DialogsTest, ChoicesOfPrintingAreThereTheNextTime) {
     dialog->setChoices("{damaged");
     dialog->setChoices(R"({"scale": 12345, "titleBlock": false})");
     EXPECT_DOUBLE_EQ(dialog->job().scale, 1.0 / 100) << again;
+    const QPointer<QDialog> closing(dialog);
     dialog->reject();
+    ASSERT_TRUE(QTest::qWaitFor([&closing] { return closing.isNull(); }));
   }
 }
 
