@@ -28,10 +28,24 @@ std::optional<AnyId> elementOf(const Home& home, const ElementId& object) {
   return member ? std::optional(byGroup(home, *member)) : std::nullopt;
 }
 
-// Inside, at eye height, where the home says that somebody stands; or none.
+// Less than this from its face, a wall is all that would be seen.
+constexpr double kFreeSight = 1.2;  // m
+
+bool facesWall(const Home& home, const Camera& camera) {
+  const Vec3 direction = viewDirection(camera);
+  for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+    const Vec3 ahead = camera.eye + direction * (share * kFreeSight);
+    const Vec3 back = keptOutOfWalls(home, camera.eye, ahead) - ahead;
+    if (dot(back, direction) < -0.5 * length(back)) return true;  // not only to the side
+  }
+  return false;
+}
+
+// At eye height, where the home says that somebody stands and something is to be seen; or none.
 std::optional<Camera> firstInside(const Home& home) {
-  if (home.observer) return home.observer;
-  if (!home.cameras.empty()) return *home.cameras.begin()->second;
+  if (home.observer && !facesWall(home, *home.observer)) return home.observer;
+  for (const auto& [id, camera] : home.cameras)
+    if (!facesWall(home, *camera)) return *camera;
   return std::nullopt;
 }
 

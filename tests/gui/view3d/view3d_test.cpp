@@ -135,6 +135,19 @@ TEST_F(View3dTest, WWalksAheadAndWallsStopIt) {
   EXPECT_NEAR(view().camera().eye.z, before.z, 1e-9);
 }
 
+TEST_F(View3dTest, AHomeWhoseObserverFacesAWallOpensFromAbove) {
+  EXPECT_EQ(view().manner(), View3d::Manner::Walk);
+  Home home = editor_.home();
+  home.cameras = {};
+  Camera observer;
+  observer.eye = {2, 3.5, 1.6};  // half a metre from the wall, and looking at it
+  home.observer = observer;
+  editor_.open(std::make_unique<Document>(home));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(view().manner(), View3d::Manner::Orbit);
+  EXPECT_GT(view().camera().eye.z, 2.5);
+}
+
 TEST_F(View3dTest, AnEditShows) {
   const QPoint at = onChair();
   editor_.apply("delete", [this](const Home& home) {
