@@ -1,6 +1,10 @@
 #include "cli/picture_output.h"
 
+#include <fmt/format.h>
+
+#include "base/file.h"
 #include "cli/usage_error.h"
+#include "render/film/picture_file.h"
 
 namespace idap::cli {
 
@@ -16,17 +20,21 @@ PictureKind pictureKind(const std::string& file) {
 }
 
 render::ToneMap toneMap(const std::string& text) {
-  for (const auto map :
-       {render::ToneMap::PbrNeutral, render::ToneMap::AgX, render::ToneMap::Classic, render::ToneMap::Linear})
+  std::string all;
+  for (const auto map : render::kToneMaps) {
     if (render::name(map) == text) return map;
-  throw UsageError("--tone " + text + ": choose neutral, agx, classic or linear");
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", render::name(map));
+  }
+  throw UsageError(fmt::format("--tone {}: choose one of {}", text, all));
 }
 
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
                  const std::vector<render::LightGroup>& lightGroups,
-                 const render::DevelopSettings& settings) {
+                 const render::DevelopSettings& settings, bool transparent) {
   if (kind == PictureKind::Exr)
     writeFilm(file, film, lightGroups);
+  else if (transparent)
+    writeFileAtomically(file, render::encodePng(render::developTransparent(film, settings)));
   else
     writePicture(file, kind, render::develop(film, settings));
 }

@@ -15,7 +15,9 @@ PictureKind pictureKind(const std::string& file);
 // By its name; throws UsageError.
 render::ToneMap toneMap(const std::string& text);
 
+// transparent: of a film whose sky was hidden, as PNG with alpha.
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
-                 const std::vector<render::LightGroup>& lightGroups, const render::DevelopSettings& settings);
+                 const std::vector<render::LightGroup>& lightGroups, const render::DevelopSettings& settings,
+                 bool transparent = false);
 
 }  // namespace idap::cli

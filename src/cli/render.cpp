@@ -14,6 +14,7 @@
 #include "catalog/catalog.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/look.h"
 #include "cli/open_home.h"
 #include "cli/picture_output.h"
 #include "cli/progress_bar.h"
@@ -31,11 +32,11 @@ namespace idap::cli {
 namespace {
 
 struct Options {
-  std::string input, output, camera, size = "960x640", integrator = "path", at, lamps = "auto",
-                                     tone = "neutral";
+  std::string input, output, camera, size = "960x640", integrator = "path", at, lamps = "auto";
+  Look look;
   int spp = 0, threads = 0;
-  double time = 0;
-  std::optional<double> exposure, clouds;
+  double time = 0, noise = 0;
+  std::optional<double> clouds;
   bool noDenoise = false, cutAway = false, resume = false, json = false;
 };
 
@@ -60,10 +61,10 @@ std::string wordsFor(const Options& options, const Camera& camera, const BuildOp
   for (const std::byte byte : readFile(options.input, std::size_t{1} << 31))
     hash = (hash ^ static_cast<std::uint64_t>(byte)) * 1'099'511'628'211u;
   return fmt::format(
-      "home {:x}, eye {} {} {}, view {} {} {}, lens {}, time {}, lamps {}, clouds {}, cut {}, {}", hash,
+      "home {:x}, eye {} {} {}, view {} {} {}, lens {}, time {}, lamps {}, clouds {}, cut {}, {}, {}", hash,
       camera.eye.x, camera.eye.y, camera.eye.z, camera.yaw, camera.pitch, camera.fieldOfView,
       static_cast<int>(camera.lens), build.time.value_or(0), options.lamps, build.cloudiness.value_or(-1),
-      cut, options.integrator);
+      cut, options.integrator, options.look.words());
 }
 
 // Into an empty film, what was made of it before. Nothing there yet is no error: it is begun then.
@@ -82,6 +83,7 @@ void takeUp(render::Film& film, const std::string& made, const std::string& file
 int renderPicture(const Options& options) {
   const auto [width, height] = parseSize(options.size);
   const PictureKind kind = pictureKind(options.output);
+  options.look.check(kind);
   if (options.resume && kind != PictureKind::Exr)
     throw UsageError("--resume goes on with an OpenEXR picture: let -o end in .exr");
   render::Film::requireSize(width, height);  // before anybody waits for the home
@@ -124,14 +126,19 @@ int renderPicture(const Options& options) {
   render::RenderSettings settings;
   settings.width = width;
   settings.height = height;
-  settings.spp = options.spp > 0 ? options.spp : options.time > 0 ? 0 : classic ? 4 : 64;
+  settings.spp = options.spp > 0                          ? options.spp
+                 : options.time > 0 || options.noise > 0 ? 0
+                 : classic                               ? 4
+                                                         : 64;
   settings.timeLimitSeconds = options.time;
+  settings.noise = static_cast<float>(options.noise);
   settings.threads = options.threads;
   settings.integrator = classic ? render::IntegratorKind::Classic : render::IntegratorKind::Path;
   settings.perLightGroupLayers = kind == PictureKind::Exr && built.scene->lightGroups.size() <= 64;
   render::Film film(width, height,
                     settings.perLightGroupLayers ? static_cast<int>(built.scene->lightGroups.size()) : 0);
-  const render::Camera view = toRenderCamera(camera, built, aspect);
+  options.look.apply(settings);
+  const render::Camera view = options.look.camera(toRenderCamera(camera, built, aspect), scene);
   if (!classic) settings.clampIndirect = render::clampFor(render::pilotExposure(scene, view, settings));
   const std::string made = kind == PictureKind::Exr ? wordsFor(options, camera, build, cut) : std::string();
   if (options.resume) takeUp(film, made, options.output);
@@ -142,9 +149,11 @@ int renderPicture(const Options& options) {
     const double left = options.time > 0 ? options.time - stats.seconds : 1e300;
     settings.timeLimitSeconds = kind == PictureKind::Exr ? std::min(left, kSaveEvery) : options.time;
     const render::RenderStats slice = render::render(scene, view, settings, film, progress);
-    stats = {stats.seconds + slice.seconds, stats.paths + slice.paths, stats.rays + slice.rays, slice.spp};
+    stats = {stats.seconds + slice.seconds, stats.paths + slice.paths, stats.rays + slice.rays, slice.spp,
+             slice.noise};
     more = kind == PictureKind::Exr && !progress.cancelled() && left > kSaveEvery && slice.paths > 0 &&
-           (settings.spp == 0 || film.samples < settings.spp);
+           (settings.spp == 0 || film.samples < settings.spp) &&
+           !(options.noise > 0 && slice.seconds < 0.9 * kSaveEvery);
     if (more) writeFilm(options.output, film, built.scene->lightGroups, made);
   }
   if (stats.paths == 0 && !begun) throw Cancelled();
@@ -153,14 +162,14 @@ int renderPicture(const Options& options) {
   phase = "developing";
   bar.show(0, phase);
   render::DevelopSettings develop;
-  if (options.exposure) develop.ev = static_cast<float>(*options.exposure);
-  develop.toneMap = classic ? render::ToneMap::Classic : toneMap(options.tone);
+  options.look.apply(develop);
+  if (classic) develop.toneMap = render::ToneMap::Classic;
   develop.denoise = !options.noDenoise && !classic;
   develop.threads = options.threads;
   if (kind == PictureKind::Exr)
     writeFilm(options.output, film, built.scene->lightGroups, made);
   else
-    savePicture(options.output, kind, film, built.scene->lightGroups, develop);
+    savePicture(options.output, kind, film, built.scene->lightGroups, develop, options.look.transparent);
   const double developMs = watch.lapMilliseconds();
 
   if (options.json) {
@@ -173,6 +182,7 @@ int renderPicture(const Options& options) {
                                       {"width", width},
                                       {"height", height},
                                       {"spp", stats.spp},
+                                      {"noise", stats.noise},
                                       {"paths", stats.paths},
                                       {"rays", stats.rays},
                                       {"triangles", built.triangles},
@@ -207,14 +217,13 @@ Job describeRender(CLI::App& app) {
   app.add_option("--time", options->time, "Seconds to render for, instead of --spp")
       ->check(within(0.01, 1e7))
       ->excludes(spp);
+  app.add_option("--noise", options->noise,
+                 "Render until the noise is below this share of each pixel's brightness, for instance 0.02 "
+                 "(with --spp or --time: at most so long)")
+      ->check(within(1e-4, 1));
   app.add_option("--integrator", options->integrator, "path: light as it is; classic: the shading of 1993")
       ->check(CLI::IsMember({"path", "classic"}));
-  app.add_option("--exposure", options->exposure,
-                 "Exposure value at ISO 100, as on a camera; without it, chosen from the picture")
-      ->check(within(-30, 60))
-      ->type_name("EV");
-  app.add_option("--tone", options->tone, "Tone curve: neutral, agx, classic or linear")
-      ->check(CLI::IsMember({"neutral", "agx", "classic", "linear"}));
+  options->look.describe(app);
   app.add_option("--at", options->at, "Date and time at the home, for instance 2026-06-21T16:30")
       ->type_name("DATETIME");
   app.add_option("--lamps", options->lamps, "auto: as the home has them; on; off")

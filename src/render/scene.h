@@ -121,6 +121,20 @@ struct Camera {
   Projection projection = Projection::Perspective;
   float horizontalFov = 1.1f;       // radians, across the picture's width
   float orthographicWidth = 10.0f;  // m, across the picture's width
+  // Perspective only. The picture's middle looks this far to the right and up of forward, as tangents: with
+  // forward level, what a shift lens does to keep vertical lines vertical.
+  Vec2f shift{};
+  // Perspective and orthographic: a lens of this radius (m) is sharp at focusDistance (m, along forward).
+  float lensRadius = 0.0f;
+  float focusDistance = 2.0f;
 };
+
+// The same view with its vertical lines vertical: the camera is levelled and its lens shifted by what it was
+// tilted. As it was where the lens is not a perspective one or is tilted by more than 50 degrees.
+Camera upright(const Camera& camera);
+
+// The radius (m) of a photographer's lens with this f-number that sees the same field of view on film 36 mm
+// wide.
+float lensRadius(float horizontalFov, float fNumber);
 
 }  // namespace idap::render

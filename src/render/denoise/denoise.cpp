@@ -9,10 +9,13 @@
 #include "base/log.h"
 #include "render/denoise/feature_filter.h"
 #include "render/denoise/network.h"
+#include "render/film/noise_estimate.h"
 
 namespace idap::render {
 
 namespace {
+
+constexpr int kLeastToJudge = 64;  // samples a pixel, for its own noise to be known
 
 bool usable(Rgb c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
@@ -64,6 +67,17 @@ int threadCount(int wanted) {
   return wanted > 0 ? wanted : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
 }
 
+// Where the film is quiet already, what was traced is truer than what a network makes of it.
+void keepWhatIsQuiet(const Film& film, const std::vector<Rgb>& traced, std::vector<Rgb>& color) {
+  constexpr float kQuiet = 0.003f, kLoud = 0.012f;  // of noiseEstimate()
+  if (film.samples < kLeastToJudge) return;
+  const std::vector<float> noise = noiseEstimate(film);
+  for (std::size_t i = 0; i < color.size(); ++i) {
+    const float t = std::clamp((noise[i] - kQuiet) / (kLoud - kQuiet), 0.0f, 1.0f);
+    if (t < 1) color[i] = traced[i] + (color[i] - traced[i]) * (t * t * (3 - 2 * t));
+  }
+}
+
 }  // namespace
 
 Denoiser::Denoiser() = default;
@@ -83,8 +97,10 @@ void Denoiser::run(const Film& film, std::vector<Rgb>& color, const DenoiseSetti
     try {
       std::unique_ptr<DenoiseNetwork>& network = settings.fast ? fast_ : normal_;
       if (!network) network = std::make_unique<DenoiseNetwork>(settings.fast);
+      const std::vector<Rgb> traced = film.samples >= kLeastToJudge ? color : std::vector<Rgb>();
       network->run(film, color, threads, settings.progress);
       keepBrightness(color, before);
+      keepWhatIsQuiet(film, traced, color);
       return;
     } catch (const Cancelled&) {
       throw;
@@ -93,8 +109,10 @@ void Denoiser::run(const Film& film, std::vector<Rgb>& color, const DenoiseSetti
       spdlog::warn("the denoiser's network cannot be used, the built-in filter is: {}", error.what());
     }
   }
+  const std::vector<Rgb> traced = film.samples >= kLeastToJudge ? color : std::vector<Rgb>();
   filterByFeatures(film, color, threads);
   keepBrightness(color, before);
+  keepWhatIsQuiet(film, traced, color);
 }
 
 void denoise(const Film& film, std::vector<Rgb>& color, const DenoiseSettings& settings) {

@@ -35,7 +35,8 @@ class Denoiser {
   Denoiser& operator=(Denoiser&&) noexcept;
 
   // color: in, mean radiance of every pixel, finite or not; out, the same denoised, finite and not negative.
-  // Keeps the picture's overall brightness, is deterministic, and takes pictures of any size. Throws
+  // Keeps the picture's overall brightness, and what was traced where the film's own noise is too low to be
+  // seen (noiseEstimate()); is deterministic, and takes pictures of any size. Throws
   // Cancelled.
   void run(const Film& film, std::vector<Rgb>& color, const DenoiseSettings& settings = {});
 

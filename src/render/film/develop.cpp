@@ -178,4 +178,21 @@ Image8 develop(const Film& film, const DevelopSettings& settings, Denoiser* deno
   return toImage(developLinear(film, settings, denoiser), film.width, film.height, settings.toneMap);
 }
 
+Texture developTransparent(const Film& film, const DevelopSettings& settings) {
+  std::vector<Rgb> linear = developLinear(film, settings);
+  // What a pixel shows is darker by its share of sky; the alpha says so instead.
+  for (std::size_t i = 0; i < linear.size(); ++i)
+    linear[i] = linear[i] * (1 / std::max(film.meanCoverage(i), 1.0f / 255));
+  const Image8 image = toImage(linear, film.width, film.height, settings.toneMap);
+  Texture out;
+  out.width = film.width, out.height = film.height;
+  out.hasAlpha = true;
+  out.rgba.resize(4 * film.pixels());
+  for (std::size_t i = 0; i < film.pixels(); ++i) {
+    std::copy_n(&image.rgb[3 * i], 3, &out.rgba[4 * i]);
+    out.rgba[4 * i + 3] = static_cast<std::uint8_t>(255 * std::clamp(film.meanCoverage(i), 0.0f, 1.0f) + 0.5f);
+  }
+  return out;
+}
+
 }  // namespace idap::render

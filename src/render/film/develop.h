@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "render/film/film.h"
 #include "render/film/tone_map.h"
+#include "render/scene.h"
 
 namespace idap::render {
 
@@ -29,7 +30,10 @@ struct DevelopSettings {
 // settings always give the same bytes. Who develops many pictures passes a denoiser to keep between them.
 Image8 develop(const Film& film, const DevelopSettings& settings = {}, Denoiser* denoiser = nullptr);
 
-// The same without tone curve and 8 bits: linear light in which 1 is the exposure's white.
+// A picture of a film rendered without its sky, see-through where that was, for laying over another.
+Texture developTransparent(const Film& film, const DevelopSettings& settings = {});
+
+// The picture without tone curve and 8 bits: linear light in which 1 is the exposure's white.
 std::vector<Rgb> developLinear(const Film& film, const DevelopSettings& settings = {},
                                Denoiser* denoiser = nullptr);
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/platform.h"
@@ -19,7 +21,7 @@ std::string notThere(int w, int h, std::size_t bytes) {
 }  // namespace
 
 std::size_t Film::bytesNeeded(int w, int h, int groupCount) {
-  const std::size_t perPixel = 3 * sizeof(Rgb) + 2 * sizeof(float) + sizeof(std::uint32_t) +
+  const std::size_t perPixel = 3 * sizeof(Rgb) + 4 * sizeof(float) + sizeof(std::uint32_t) +
                                static_cast<std::size_t>(std::max(groupCount, 0)) * sizeof(Rgb);
   return static_cast<std::size_t>(std::max(w, 0)) * static_cast<std::size_t>(std::max(h, 0)) * perPixel;
 }
@@ -46,6 +48,8 @@ Film::Film(int w, int h, int groupCount) : width(w), height(h) {
     albedo.resize(n);
     normal.resize(n);
     depth.resize(n);
+    square.resize(n);
+    coverage.resize(n);
     weight.resize(n);
     objectId.resize(n);
     groups.assign(static_cast<std::size_t>(std::max(groupCount, 0)), std::vector<Rgb>(n));
@@ -60,12 +64,22 @@ std::vector<Rgb> Film::meanColors() const {
   return mean;
 }
 
+float Film::standardError(std::size_t i) const {
+  const float n = weight[i];
+  const float mean = luminance(color[i]) * inverseWeight(i);
+  if (n < 2 || (square[i] <= 0 && mean > 0)) return std::numeric_limits<float>::infinity();
+  const float variance = std::max(square[i] / n - mean * mean, 0.0f) * n / (n - 1);
+  return std::sqrt(variance / n);
+}
+
 void Film::clear() {
   samples = 0;
   std::ranges::fill(color, Rgb{});
   std::ranges::fill(albedo, Rgb{});
   std::ranges::fill(normal, Vec3f{});
   std::ranges::fill(depth, 0.0f);
+  std::ranges::fill(square, 0.0f);
+  std::ranges::fill(coverage, 0.0f);
   std::ranges::fill(weight, 0.0f);
   std::ranges::fill(objectId, 0u);
   for (std::vector<Rgb>& group : groups) std::ranges::fill(group, Rgb{});

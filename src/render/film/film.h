@@ -18,6 +18,8 @@ struct Film {
   std::vector<Rgb> albedo;               // sum of the first surface's reflectance, 0..1 each
   std::vector<Vec3f> normal;             // sum of the first surface's unit world normal; 0 for the sky
   std::vector<float> depth;              // sum of the distance to the first surface, m; 0 for the sky
+  std::vector<float> square;             // sum of squared luminance, for the estimate of the error; 0 unknown
+  std::vector<float> coverage;           // samples that met a surface rather than the sky
   std::vector<float> weight;             // samples this pixel got
   std::vector<std::uint32_t> objectId;   // of the first sample; 0 none
   std::vector<std::vector<Rgb>> groups;  // sum of radiance by light group; together they are `color`
@@ -46,7 +48,11 @@ struct Film {
   Vec3f meanNormal(std::size_t i) const { return normal[i] * inverseWeight(i); }  // shorter than 1 at edges
   float meanDepth(std::size_t i) const { return depth[i] * inverseWeight(i); }
   Rgb meanGroup(std::size_t group, std::size_t i) const { return groups[group][i] * inverseWeight(i); }
+  float meanCoverage(std::size_t i) const { return coverage[i] * inverseWeight(i); }  // 0..1
   std::vector<Rgb> meanColors() const;
+  // The standard error of the mean luminance (cd/m2), estimated from the pixel's own samples; infinite where it
+  // is not known: with fewer than two samples, or without their squares.
+  float standardError(std::size_t i) const;
 
   // Back to black, keeping the memory.
   void clear();

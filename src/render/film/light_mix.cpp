@@ -108,6 +108,7 @@ Film mixed(const Film& film, const std::vector<LightGroup>& groups, const std::v
     }
     mix.color[i] = sum;
   }
+  std::ranges::fill(mix.square, 0.0f);  // how the lights' noises go together is not known
   return mix;
 }
 

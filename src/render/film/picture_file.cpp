@@ -76,6 +76,21 @@ Bytes encodePicture(const Image8& image, std::string_view extension, int quality
   return encode(kind, spec, OIIO::TypeDesc::UINT8, image.rgb.data());
 }
 
+Bytes encodePng(const Texture& picture) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(std::max(picture.width, 0)) * static_cast<std::size_t>(std::max(picture.height, 0));
+  if (pixels == 0 || picture.rgba.size() < 4 * pixels)
+    throw RenderError("a picture without pixels cannot be written");
+  OIIO::ImageSpec spec(picture.width, picture.height, picture.hasAlpha ? 4 : 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", picture.srgb ? "sRGB" : "linear");
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  spec.attribute("png:compressionLevel", 6);
+  if (picture.hasAlpha) return encode("png", spec, OIIO::TypeDesc::UINT8, picture.rgba.data());
+  std::vector<std::uint8_t> rgb(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&picture.rgba[4 * i], 3, &rgb[3 * i]);
+  return encode("png", spec, OIIO::TypeDesc::UINT8, rgb.data());
+}
+
 void savePicture(const std::filesystem::path& path, const Image8& image, int quality) {
   Bytes bytes;
   try {
@@ -108,7 +123,8 @@ Image8 loadPicture(const std::filesystem::path& path) {
 void saveLayers(const std::filesystem::path& path, const Film& film, const std::vector<LightGroup>& groups,
                 const std::string& made) {
   std::vector<std::string> channels{"R",        "G",        "B",        "albedo.R", "albedo.G", "albedo.B",
-                                    "normal.X", "normal.Y", "normal.Z", "depth.Z",  "objectId", "samples"};
+                                    "normal.X", "normal.Y", "normal.Z", "depth.Z",  "objectId", "samples",
+                                    "error",    "coverage"};
   std::string names;
   std::vector<float> colors;
   for (std::size_t g = 0; g < film.groups.size(); ++g) {
@@ -123,7 +139,7 @@ void saveLayers(const std::filesystem::path& path, const Film& film, const std::
   OIIO::ImageSpec spec(film.width, film.height, static_cast<int>(count), OIIO::TypeDesc::HALF);
   spec.channelnames = channels;
   spec.channelformats.assign(count, OIIO::TypeDesc::HALF);
-  for (const std::size_t exact : {9, 10, 11}) spec.channelformats[exact] = OIIO::TypeDesc::FLOAT;
+  for (const std::size_t exact : {9, 10, 11, 12}) spec.channelformats[exact] = OIIO::TypeDesc::FLOAT;
   spec.attribute("compression", "zip");
   spec.attribute("idap:samples", film.samples);
   if (!made.empty()) spec.attribute(kMade, made);
@@ -147,6 +163,9 @@ void saveLayers(const std::filesystem::path& path, const Film& film, const std::
     pixels.push_back(film.meanDepth(i));
     pixels.push_back(static_cast<float>(film.objectId[i]));
     pixels.push_back(film.weight[i]);
+    const float error = film.standardError(i);
+    pixels.push_back(std::isfinite(error) ? error : 0.0f);
+    pixels.push_back(film.meanCoverage(i));
     for (std::size_t g = 0; g < film.groups.size(); ++g) put(film.meanGroup(g, i));
   }
   Bytes bytes;
@@ -203,7 +222,8 @@ Layers loadLayers(const std::filesystem::path& path) {
     return v;
   };
   const int albedo = channel("albedo.R"), normal = channel("normal.X"), depth = channel("depth.Z"),
-            object = channel("objectId"), color = channel("R"), samples = channel("samples");
+            object = channel("objectId"), color = channel("R"), samples = channel("samples"),
+            error = channel("error"), coverage = channel("coverage");
   for (int y = 0; y < spec.height; ++y) {
     if (!input->read_scanline(y + spec.y, 0, OIIO::TypeDesc::FLOAT, row.data()))
       throw fail("is damaged: " + input->geterror());
@@ -215,6 +235,11 @@ Layers loadLayers(const std::filesystem::path& path) {
                           : 1.0f;
       film.weight[i] = n;
       film.color[i] = read(x, color) * n;
+      const float mean = luminance(read(x, color));
+      if (error >= 0 && n >= 2 && std::isfinite(values[error]))
+        film.square[i] = n * mean * mean + values[error] * values[error] * n * (n - 1);
+      film.coverage[i] =
+          coverage >= 0 && std::isfinite(values[coverage]) ? std::clamp(values[coverage], 0.0f, 1.0f) * n : n;
       if (albedo >= 0) film.albedo[i] = read(x, albedo) * n;
       if (normal >= 0) film.normal[i] = read(x, normal) * n;
       if (depth >= 0 && std::isfinite(values[depth])) film.depth[i] = values[depth] * n;

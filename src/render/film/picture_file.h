@@ -11,6 +11,7 @@
 #include "base/image8.h"
 #include "render/film/film.h"
 #include "render/light_group.h"
+#include "render/scene.h"
 
 namespace idap::render {
 
@@ -21,11 +22,14 @@ void savePicture(const std::filesystem::path& path, const Image8& image, int qua
 // The same into memory; extension with or without its dot. Throws RenderError.
 Bytes encodePicture(const Image8& image, std::string_view extension, int quality = 92);
 
+// As PNG, with its alpha where it has some. Throws RenderError.
+Bytes encodePng(const Texture& picture);
+
 // A picture of any common kind as 8-bit sRGB; transparency is laid over white.
 Image8 loadPicture(const std::filesystem::path& path);
 
 // The film as a half-float OpenEXR file in cd/m2: R, G, B; albedo.R.., normal.X.., depth.Z and objectId in
-// full floats, the samples of every pixel, and one layer a light group (missing names become "group0", ...).
+// full floats, each pixel's samples, coverage and standard error (of the luminance), and one layer a light group (missing names become "group0", ...).
 // made: words for what the film shows, for whoever goes on with it.
 void saveLayers(const std::filesystem::path& path, const Film& film,
                 const std::vector<LightGroup>& groups = {}, const std::string& made = {});

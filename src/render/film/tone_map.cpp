@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace idap::render {
 
@@ -80,8 +81,29 @@ std::string_view name(ToneMap toneMap) {
       return "classic";
     case ToneMap::Linear:
       return "linear";
+    case ToneMap::FalseColor:
+      return "false";
   }
   return "";
+}
+
+Rgb falseColor(float luminance) {
+  struct Mark {
+    float stop;
+    Rgb color;
+  };
+  constexpr Mark kMarks[] = {{-8, {0, 0, 0}},           {-6, {0.13f, 0, 0.25f}}, {-4, {0, 0.05f, 0.8f}},
+                             {-2, {0, 0.6f, 0.75f}},    {0, {0.1f, 0.5f, 0.1f}}, {1, {0.9f, 0.85f, 0}},
+                             {2, {1, 0.35f, 0}},        {2.5f, {0.9f, 0, 0}},    {3.5f, {1, 1, 1}}};
+  const float stop = std::log2(std::max(luminance, 1e-10f) / 0.18f);
+  if (stop <= kMarks[0].stop) return kMarks[0].color;
+  for (std::size_t i = 1; i < std::size(kMarks); ++i) {
+    const Mark &a = kMarks[i - 1], &b = kMarks[i];
+    if (stop >= b.stop) continue;
+    const float t = (stop - a.stop) / (b.stop - a.stop);
+    return a.color * (1 - t) + b.color * t;
+  }
+  return {1, 1, 1};
 }
 
 Rgb toneMapped(Rgb color, ToneMap toneMap) {
@@ -91,6 +113,8 @@ Rgb toneMapped(Rgb color, ToneMap toneMap) {
       return clamped(pbrNeutral(c));
     case ToneMap::AgX:
       return clamped(agx(c));
+    case ToneMap::FalseColor:
+      return falseColor(luminance(c));
     case ToneMap::Classic:
     case ToneMap::Linear:
       break;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "render/sampling/warp.h"
 
 namespace idap::render {
 
@@ -24,15 +27,26 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
   }
 }
 
-std::optional<Ray> CameraRays::at(Vec2f point) const {
+bool CameraRays::hasLens() const {
+  return camera_.lensRadius > 0 && camera_.focusDistance > 0 &&
+         (camera_.projection == Projection::Perspective || camera_.projection == Projection::Orthographic);
+}
+
+std::optional<Ray> CameraRays::at(Vec2f point, Vec2f lens) const {
   const float x = (point.x - halfWidth_) * scale_, y = (halfHeight_ - point.y) * scale_;
   const Vec3f forward = camera_.forward;
   const float pi = static_cast<float>(kPi);
   switch (camera_.projection) {
     case Projection::Perspective:
-      return Ray{camera_.eye, normalized(forward + right_ * x + up_ * y)};
-    case Projection::Orthographic:
-      return Ray{camera_.eye + right_ * x + up_ * y, forward};
+    case Projection::Orthographic: {
+      const bool flat = camera_.projection == Projection::Orthographic;
+      const Vec3f eye = flat ? camera_.eye + right_ * x + up_ * y : camera_.eye;
+      const Vec3f way = flat ? forward : forward + right_ * (x + camera_.shift.x) + up_ * (y + camera_.shift.y);
+      if (!hasLens()) return Ray{eye, normalized(way)};
+      const Vec2f disc = unitDisc(lens) * camera_.lensRadius;
+      const Vec3f aside = right_ * disc.x + up_ * disc.y;
+      return Ray{eye + aside, normalized(way * camera_.focusDistance - aside)};
+    }
     case Projection::Fisheye: {
       const float angle = std::hypot(x, y);
       if (angle > std::min(pi, 0.5f * camera_.horizontalFov)) return std::nullopt;
@@ -82,6 +96,36 @@ const InverseWindow kWindow;
 
 }  // namespace
 
-Vec2f filterOffset(Vec2f u) { return {kWindow.at(u.x), kWindow.at(u.y)}; }
+Vec2f filterOffset(Vec2f u, PixelFilter filter) {
+  const auto triangle = [](float v) { return v < 0.5f ? std::sqrt(2 * v) - 1 : 1 - std::sqrt(2 - 2 * v); };
+  switch (filter) {
+    case PixelFilter::Triangle:
+      return {triangle(u.x), triangle(u.y)};
+    case PixelFilter::Box:
+      return {u.x - 0.5f, u.y - 0.5f};
+    case PixelFilter::BlackmanHarris:
+      break;
+  }
+  return {kWindow.at(u.x), kWindow.at(u.y)};
+}
+
+Camera upright(const Camera& camera) {
+  constexpr float kMostTilt = 0.87f;  // radians
+  const float level = std::hypot(camera.forward.x, camera.forward.y);
+  const float tilt = std::atan2(camera.forward.z, level);
+  if (camera.projection != Projection::Perspective || std::fabs(tilt) > kMostTilt) return camera;
+  Camera c = camera;
+  c.forward = {camera.forward.x / level, camera.forward.y / level, 0};
+  c.up = {0, 0, 1};
+  // What was in the middle stays there, and as large: its depth has shrunk by the cosine.
+  c.shift = {camera.shift.x, camera.shift.y + std::tan(tilt)};
+  c.horizontalFov = 2 * std::atan(std::tan(0.5f * camera.horizontalFov) / std::cos(tilt));
+  return c;
+}
+
+float lensRadius(float horizontalFov, float fNumber) {
+  const float focalLength = 0.018f / std::tan(0.5f * horizontalFov);
+  return 0.5f * focalLength / fNumber;
+}
 
 }  // namespace idap::render

@@ -15,7 +15,9 @@ namespace idap::render {
 class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
-  std::optional<Ray> at(Vec2f point) const;
+  // lens: where on the lens the ray passes, as two random numbers; without depth of field it is not asked.
+  std::optional<Ray> at(Vec2f point, Vec2f lens = {0.5f, 0.5f}) const;
+  bool hasLens() const;
 
  private:
   Camera camera_;
@@ -24,8 +26,15 @@ class CameraRays {
   float scale_;  // per pixel: tangent, metres or radians
 };
 
-// An offset from a pixel's middle, distributed as the Blackman-Harris window of 3 pixels' width; so a plain
+// Anti-aliasing filters: how a pixel weighs the light around its middle. None has negative lobes, so a plain
 // mean of samples is the filtered picture.
-Vec2f filterOffset(Vec2f u);
+enum class PixelFilter {
+  BlackmanHarris,  // smooth, 3 pixels wide
+  Triangle,        // 2 pixels wide
+  Box,             // the pixel's own square: sharpest, jagged on bright edges
+};
+
+// An offset from a pixel's middle, distributed as the filter.
+Vec2f filterOffset(Vec2f u, PixelFilter filter = PixelFilter::BlackmanHarris);
 
 }  // namespace idap::render

@@ -103,7 +103,7 @@ bool PathTracer::arrive(Walk& walk) const {
     Hit hit;
     ++walk.out.rays;
     if (!scene_.intersect(walk.ray, hit, primary ? kCameraRay : kBounceRay, primary)) {
-      addSky(walk);
+      if (!options_.hideSky || !primary || walk.out.depth > 0) addSky(walk);
       return false;
     }
     if (hit.isLamp()) {

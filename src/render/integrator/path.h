@@ -15,6 +15,7 @@ enum class LightSampling { Both, SurfacesOnly, LightsOnly };
 struct PathOptions {
   float clampIndirect = 0.0f;  // cd/m2; > 0 cuts off brighter indirect samples: fewer specks, some light lost
   LightSampling lightSampling = LightSampling::Both;
+  bool hideSky = false;  // black where the camera sees nothing but sky
 };
 
 // What one path brings. Features are those of the first surface that is not clear glass or a mirror.

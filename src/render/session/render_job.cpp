@@ -15,6 +15,7 @@
 #include "render/integrator/camera_ray.h"
 #include "render/integrator/classic.h"
 #include "render/integrator/path.h"
+#include "render/film/noise_estimate.h"
 
 namespace idap::render {
 
@@ -23,6 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kTile = 16;
 constexpr int kUnlimitedLog2Samples = 10;
+constexpr int kFirstEstimate = 16;  // samples a pixel; fewer say nothing of the noise
+constexpr double kDoneShare = 0.999;  // of the pixels; the last few would take as long as all the others
 
 class Job {
  public:
@@ -33,7 +36,8 @@ class Job {
         film_(film),
         progress_(progress),
         rays_(camera, film.width, film.height),
-        tracer_(scene, {.clampIndirect = settings.clampIndirect}),
+        tracer_(scene,
+                {.clampIndirect = settings.clampIndirect, .hideSky = settings.transparentBackground}),
         tilesX_((film.width + kTile - 1) / kTile),
         tilesY_((film.height + kTile - 1) / kTile),
         log2Samples_(
@@ -50,9 +54,12 @@ class Job {
   RenderStats run() {
     if (settings_.integrator == IntegratorKind::Classic) classic_.emplace(scene_);
     start_ = Clock::now();
-    const auto began = static_cast<int>(*std::ranges::min_element(film_.weight));
+    // Pixels that are quiet enough stay behind the others.
+    const auto began = static_cast<int>(
+        settings_.noise > 0 ? *std::ranges::max_element(film_.weight) : *std::ranges::min_element(film_.weight));
     int done = began;
     for (int wave = std::max(began, 1); !stopped() && (settings_.spp == 0 || done < settings_.spp);) {
+      if (settings_.noise > 0 && done >= kFirstEstimate && quietEnough()) break;
       int next = done + std::min(wave, kLongestWave);
       if (settings_.spp > 0) next = std::min(next, settings_.spp);
       if (settings_.timeLimitSeconds > 0 && done > began) {
@@ -66,7 +73,8 @@ class Job {
       done = next;
     }
     film_.samples = static_cast<int>(*std::ranges::min_element(film_.weight));
-    return {seconds(), paths_.load(), traced_.load(), film_.samples};
+    const float noise = film_.samples > 1 ? quantile(noiseEstimate(film_), 0.95) : 0.0f;
+    return {seconds(), paths_.load(), traced_.load(), film_.samples, noise};
   }
 
  private:
@@ -76,6 +84,23 @@ class Job {
   bool stopped() const {
     return progress_.cancelled() ||
            (settings_.timeLimitSeconds > 0 && seconds() >= settings_.timeLimitSeconds);
+  }
+
+  // Finds the pixels that need more samples. True when hardly any does.
+  bool quietEnough() {
+    const std::vector<float> noise = noiseEstimate(film_);
+    resting_.assign(noise.size(), 0);
+    std::size_t loud = 0;
+    double wanted = 0, had = 0;
+    for (std::size_t i = 0; i < noise.size(); ++i) {
+      const float ratio = noise[i] / settings_.noise;
+      resting_[i] = ratio <= 1;
+      if (ratio > 1) ++loud;
+      had += static_cast<double>(film_.weight[i]);
+      wanted += static_cast<double>(film_.weight[i] * std::max(1.0f, ratio * ratio));
+    }
+    expected_ = had / wanted;
+    return static_cast<double>(loud) <= (1 - kDoneShare) * static_cast<double>(noise.size());
   }
 
   void runWave(int from, int to) {
@@ -97,6 +122,7 @@ class Job {
     if (!lock || now - lastReport_ < 0.05) return;
     lastReport_ = now;
     double fraction = settings_.spp > 0 ? samples / settings_.spp : 0.0;
+    if (settings_.noise > 0) fraction = std::max(fraction, expected_);
     if (settings_.timeLimitSeconds > 0) fraction = std::max(fraction, now / settings_.timeLimitSeconds);
     progress_.report(std::min(fraction, 1.0), "rendering");
   }
@@ -110,12 +136,13 @@ class Job {
       if (stopped()) break;
       for (int x = x0; x < x1; ++x) {
         const std::size_t pixel = film_.index(x, y);
+        if (!resting_.empty() && resting_[pixel]) continue;
         for (auto s = static_cast<std::uint32_t>(film_.weight[pixel]); s < static_cast<std::uint32_t>(to);
              ++s) {
           Sampler sampler(x, y, s, log2Samples_, settings_.seed);
-          const Vec2f offset = filterOffset(sampler.get2D());
-          const auto ray =
-              rays_.at({static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y});
+          const Vec2f offset = filterOffset(sampler.get2D(), settings_.filter);
+          const Vec2f point{static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y};
+          const auto ray = rays_.hasLens() ? rays_.at(point, sampler.get2D()) : rays_.at(point);
           film_.weight[pixel] += 1;
           if (!ray) continue;
           ++paths;
@@ -136,11 +163,14 @@ class Job {
     // Something not finite would blot out the pixel for ever.
     if (std::isfinite(path.radiance.x + path.radiance.y + path.radiance.z)) {
       film_.color[pixel] += path.radiance;
+      const float l = luminance(path.radiance);
+      film_.square[pixel] += l * l;
       for (std::size_t g = 0; g < groups.size(); ++g) film_.groups[g][pixel] += groups[g];
     }
     film_.albedo[pixel] += path.albedo;
     film_.normal[pixel] += path.normal;
     film_.depth[pixel] += path.depth;
+    if (path.depth > 0) film_.coverage[pixel] += 1;
     if (first) film_.objectId[pixel] = path.objectId;
     return path.rays;
   }
@@ -170,6 +200,8 @@ class Job {
   int tilesX_, tilesY_;
   int log2Samples_;
   std::vector<int> order_;
+  std::vector<std::uint8_t> resting_;  // pixels that are done; empty: none
+  double expected_ = 0.0;              // the share of the samples that this picture will take
   Clock::time_point start_;
   std::mutex reportMutex_;
   double lastReport_ = 0.0;

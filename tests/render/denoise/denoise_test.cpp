@@ -202,5 +202,22 @@ TEST(Denoiser, LargePicturesShowNoSeams) {
   }
 }
 
+TEST(Denoiser, LeavesAloneWhatIsQuiet) {
+  // Fine texture that no layer announces, traced to the end: it must not be smoothed away.
+  Film film(32, 32);
+  film.samples = 256;
+  for (std::size_t i = 0; i < film.pixels(); ++i) {
+    const float l = (i + i / 32) % 2 ? 100.0f : 80.0f;
+    film.weight[i] = 256;
+    film.color[i] = Rgb{l, l, l} * 256;
+    film.albedo[i] = Rgb{0.5f, 0.5f, 0.5f} * 256;
+    film.normal[i] = Vec3f{0, 0, 256};
+    film.square[i] = 256 * l * l * 1.0001f;
+  }
+  std::vector<Rgb> color = film.meanColors();
+  Denoiser().run(film, color, {.method = DenoiseMethod::Filter});
+  for (std::size_t i = 0; i < film.pixels(); ++i) EXPECT_NEAR(color[i].x, film.meanColor(i).x, 0.5f);
+}
+
 }  // namespace
 }  // namespace idap::render

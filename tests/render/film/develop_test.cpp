@@ -113,5 +113,18 @@ TEST(Develop, RefusesAPictureOfAnotherSize) {
   EXPECT_THROW(toImage(std::vector<Rgb>(5), 2, 2, ToneMap::Linear), RenderError);
 }
 
+TEST(Develop, WhatTheSkyShinesThroughIsSeeThrough) {
+  Film film(2, 1);
+  film.color = {{100, 100, 100}, {50, 50, 50}};  // the second is half sky
+  film.weight = {1, 1};
+  film.coverage = {1, 0.5f};
+  DevelopSettings settings{.ev = 8.0f, .denoise = false};
+  settings.illuminant = Rgb{1, 1, 1};
+  const Texture picture = developTransparent(film, settings);
+  EXPECT_EQ(picture.rgba[3], 255);
+  EXPECT_NEAR(picture.rgba[7], 128, 1);
+  EXPECT_NEAR(picture.rgba[0], picture.rgba[4], 2);
+}
+
 }  // namespace
 }  // namespace idap::render

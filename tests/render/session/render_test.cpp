@@ -205,5 +205,94 @@ TEST(CameraRays, Projections) {
   EXPECT_NEAR(at(200, 50)->origin.x, 2.0f, 1e-5f);
 }
 
+TEST(CameraRays, UprightKeepsTheMiddleAndMakesVerticalsParallel) {
+  Camera c;
+  c.eye = {0, 0, 1.7f};
+  const float tilt = -0.3f;
+  c.forward = {0, std::cos(tilt), std::sin(tilt)};
+  c.up = {0, -std::sin(tilt), std::cos(tilt)};
+  const CameraRays tilted(c, 300, 200), level(upright(c), 300, 200);
+  EXPECT_NEAR(length(tilted.at({150, 100})->direction - level.at({150, 100})->direction), 0, 1e-5f);
+  // Points above each other lie in one column: the ray's way to the right over its way forward is the same.
+  const auto column = [](Vec3f d) { return d.x / d.y; };
+  EXPECT_NEAR(column(level.at({260, 20})->direction), column(level.at({260, 180})->direction), 1e-5f);
+  EXPECT_GT(std::fabs(column(tilted.at({260, 20})->direction) - column(tilted.at({260, 180})->direction)), 0.05f);
+}
+
+TEST(CameraRays, ALensIsSharpAtItsFocus) {
+  Camera c;
+  c.lensRadius = 0.05f;
+  c.focusDistance = 3;
+  const CameraRays rays(c, 300, 200);
+  const auto at = [&](Vec2f lens, float depth) {
+    const Ray ray = *rays.at({220, 60}, lens);
+    return ray.origin + ray.direction * (depth / ray.direction.y);
+  };
+  EXPECT_NEAR(length(at({0.1f, 0.2f}, 3) - at({0.9f, 0.8f}, 3)), 0, 1e-5f);
+  EXPECT_GT(length(at({0.1f, 0.2f}, 6) - at({0.9f, 0.8f}, 6)), 0.02f);
+  // A 35 mm lens at f/1.4 has a radius of 12.5 mm.
+  EXPECT_NEAR(lensRadius(2 * std::atan(18.0f / 35), 1.4f), 0.0125f, 1e-4f);
+}
+
+TEST(CameraRays, FiltersAreCentredAndAsWideAsTheySay) {
+  for (const auto& [filter, reach] :
+       {std::pair(PixelFilter::BlackmanHarris, 1.5f), {PixelFilter::Triangle, 1.0f}, {PixelFilter::Box, 0.5f}}) {
+    float mean = 0, widest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const float o = filterOffset({(static_cast<float>(i) + 0.5f) / 1000, 0.5f}, filter).x;
+      mean += o / 1000;
+      widest = std::max(widest, std::fabs(o));
+    }
+    EXPECT_NEAR(mean, 0, 1e-3f);
+    EXPECT_LE(widest, reach);
+    EXPECT_GT(widest, 0.8f * reach);
+  }
+}
+
+TEST(Render, NoiseStopsEachPixelWhereItIsQuietEnough) {
+  const auto scene = variedRoom().compile();
+  RenderSettings settings{.width = 48, .height = 32, .noise = 0.05f};
+  Film film(48, 32), again(48, 32);
+  const RenderStats stats = render(*scene, camera(), settings, film);
+  EXPECT_LT(stats.noise, 0.05f);
+  EXPECT_GE(film.samples, 16);
+  EXPECT_GT(*std::ranges::max_element(film.weight), 2 * static_cast<float>(film.samples));
+  settings.threads = 1;
+  render(*scene, camera(), settings, again);
+  EXPECT_EQ(film.color, again.color);
+  EXPECT_EQ(film.weight, again.weight);
+
+  // The estimate is honest: the distance to a far better picture is what it says.
+  Film better(48, 32);
+  settings.threads = 0;
+  settings.noise = 0;
+  settings.spp = 4096;
+  settings.seed = 7;
+  render(*scene, camera(), settings, better);
+  double sum = 0;
+  int counted = 0;
+  for (std::size_t i = 0; i < film.pixels(); ++i) {
+    const float truth = luminance(better.meanColor(i));
+    if (truth <= 0) continue;
+    const double e = static_cast<double>(luminance(film.meanColor(i)) / truth - 1);
+    if (std::fabs(e) < 1) sum += e * e, ++counted;
+  }
+  EXPECT_LT(std::sqrt(sum / counted), 0.1);
+}
+
+TEST(Render, AHiddenSkyStillLights) {
+  SceneMaker make;
+  make.add(parallelogram({-50, 0, -1}, {100, 0, 0}, {0, 100, 0}), lambert(grey(0.5f)));
+  make.scene().sky = {8, 4, std::vector<Rgb>(32, grey(100))};
+  const auto scene = make.compile();
+  RenderSettings settings{.width = 16, .height = 16, .spp = 32, .transparentBackground = true};
+  Film film(16, 16);
+  render(*scene, Camera{}, settings, film);
+  EXPECT_EQ(luminance(film.meanColor(film.index(8, 0))), 0);
+  EXPECT_EQ(film.meanCoverage(film.index(8, 0)), 0);
+  EXPECT_EQ(film.meanCoverage(film.index(8, 15)), 1);
+  EXPECT_NEAR(luminance(film.meanColor(film.index(8, 15))), 50, 5);
+}
+
 }  // namespace
 }  // namespace idap::render
