@@ -1,7 +1,8 @@
 // Our side of a comparison with another renderer. Four jobs:
 //   peer scene HOME FOLDER [--camera N] [--matte] [--size WxH]
 //       writes scene.glb, sky.exr and scene.json (lamps, sun, camera): what bench/peers/cycles.py reads
-//   peer render HOME OUT.exr [the same] [--spp N | --time S] [--threads N] [--denoise] [--clamp]
+//   peer render HOME OUT.exr [the same] [--spp N | --time S] [--threads N] [--denoise] [--clamp] [--cache
+//   PATHS]
 //       renders the same scene and prints its figures as JSON
 //   peer compare A.exr REFERENCE.exr [--block 16]
 //       prints how far A is from the reference, by pixel and by block
@@ -27,6 +28,7 @@
 #include "render/film/develop.h"
 #include "render/film/exposure.h"
 #include "render/film/picture_file.h"
+#include "render/session/fill_cache.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
 #include "scene/scene_builder.h"
@@ -172,8 +174,15 @@ int renderScene(const Arguments& a) {
   settings.noise = static_cast<float>(a.number("noise", 0));
   settings.threads = static_cast<int>(a.number("threads", 0));
   settings.seed = static_cast<std::uint64_t>(a.number("seed", 0));
-  if (a.has("clamp")) settings.clampIndirect = render::clampFor(render::pilotExposure(scene, p.camera, settings));
+  if (a.has("clamp"))
+    settings.clampIndirect = render::clampFor(render::pilotExposure(scene, p.camera, settings));
   render::Film film(p.width, p.height);
+  start = Clock::now();
+  if (a.has("cache"))
+    settings.cache = render::fillCache(scene, p.camera, settings, static_cast<int>(a.number("cache", 0)));
+  const double learned = seconds(start);
+  if (settings.timeLimitSeconds > 0)
+    settings.timeLimitSeconds = std::max(0.01, settings.timeLimitSeconds - learned);
   start = Clock::now();
   const render::RenderStats stats = render::render(scene, p.camera, settings, film);
   const double rendered = seconds(start);
@@ -187,9 +196,11 @@ int renderScene(const Arguments& a) {
   }
   render::saveLayers(a.files.at(1), film);
   const json j{{"compile_s", compiled},
+               {"learn_s", learned},
                {"render_s", rendered},
                {"denoise_s", denoised},
                {"spp", static_cast<double>(stats.paths) / static_cast<double>(film.pixels())},
+               {"noise", stats.noise},
                {"paths_per_s", static_cast<double>(stats.paths) / rendered},
                {"rays_per_s", static_cast<double>(stats.rays) / rendered}};
   fmt::print("{}\n", j.dump());
@@ -206,18 +217,28 @@ int compare(const Arguments& a) {
   for (const Rgb c : y) mean += static_cast<double>(luminance(c));
   mean /= static_cast<double>(y.size());
 
-  // By pixel: squared difference over squared brightness, a hundredth of the mean added so that black
-  // pixels do not decide; the root of the mean, without the worst thousandth.
+  // By pixel: the mean difference over the brightness, a hundredth of the mean added so that black pixels do
+  // not decide, without the worst thousandth. And as people see it: the root mean square of what a screen
+  // shows, in steps of 255.
   std::vector<double> errors(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double difference = static_cast<double>(luminance(x[i]) - luminance(y[i]));
-    const double scale = static_cast<double>(luminance(y[i])) + 0.01 * mean;
-    errors[i] = difference * difference / (scale * scale);
+    errors[i] = std::fabs(difference) / (static_cast<double>(luminance(y[i])) + 0.01 * mean);
   }
   std::ranges::sort(errors);
   errors.resize(errors.size() - errors.size() / 1000);
   double sum = 0;
   for (const double e : errors) sum += e;
+  render::DevelopSettings settings;
+  settings.denoise = false;
+  settings.ev = render::autoExposure(reference);
+  settings.illuminant = render::estimateIlluminant(reference);
+  const Image8 shown = render::develop(film, settings), wanted = render::develop(reference, settings);
+  double squares = 0;
+  for (std::size_t i = 0; i < shown.rgb.size(); ++i) {
+    const double d = static_cast<double>(shown.rgb[i]) - static_cast<double>(wanted.rgb[i]);
+    squares += d * d;
+  }
 
   const int block = static_cast<int>(a.number("block", 16));
   std::vector<double> blocks;
@@ -242,7 +263,8 @@ int compare(const Arguments& a) {
   double ours = 0;
   for (const Rgb c : x) ours += static_cast<double>(luminance(c));
   const auto within = static_cast<double>(std::ranges::upper_bound(blocks, 0.03) - blocks.begin());
-  const json j{{"relative_error", std::sqrt(sum / static_cast<double>(errors.size()))},
+  const json j{{"relative_error", sum / static_cast<double>(errors.size())},
+               {"display_rmse", std::sqrt(squares / static_cast<double>(shown.rgb.size()))},
                {"mean_ratio", ours / static_cast<double>(x.size()) / mean},
                {"blocks",
                 {{"median", quantile(0.5)},
@@ -276,8 +298,9 @@ int main(int argc, char** argv) {
     if (job == "render" && a.files.size() == 2) return renderScene(a);
     if (job == "compare" && a.files.size() == 2) return compare(a);
     if (job == "develop" && a.files.size() == 2) return developPicture(a);
-    fmt::print(stderr, "usage: peer scene HOME FOLDER | render HOME OUT.exr | compare A.exr REFERENCE.exr | "
-                       "develop A.exr OUT.png\n");
+    fmt::print(stderr,
+               "usage: peer scene HOME FOLDER | render HOME OUT.exr | compare A.exr REFERENCE.exr | "
+               "develop A.exr OUT.png\n");
   } catch (const std::exception& error) {
     fmt::print(stderr, "peer: {}\n", error.what());
   }

@@ -18,9 +18,10 @@ void Look::describe(CLI::App& app) {
   app.add_option("--white-balance", whiteBalance,
                  "How far the eye has got used to the light's colour: 0 not at all, 1 wholly (0.75)")
       ->check(within(0, 1));
-  app.add_option("--lens", lens,
-                 "Instead of the point of view's own: perspective, orthographic (no perspective), fisheye, or "
-                 "360 (all around, for viewers of panoramas)")
+  app.add_option(
+         "--lens", lens,
+         "Instead of the point of view's own: perspective, orthographic (no perspective), fisheye, or "
+         "360 (all around, for viewers of panoramas)")
       ->check(CLI::IsMember({"perspective", "orthographic", "fisheye", "360"}));
   app.add_flag("--upright", upright, "Keep vertical lines vertical, as with an architect's shift lens");
   app.add_option("--aperture", aperture,
@@ -31,7 +32,8 @@ void Look::describe(CLI::App& app) {
                  "What is sharp, in metres from the eye; without it, what is in the picture's middle")
       ->check(within(0.01, 1e4))
       ->type_name("M");
-  app.add_option("--filter", filter, "Edges: smooth, triangle or box (sharpest, jagged beside bright windows)")
+  app.add_option("--filter", filter,
+                 "Edges: smooth, triangle or box (sharpest, jagged beside bright windows)")
       ->check(CLI::IsMember({"smooth", "triangle", "box"}));
   app.add_flag("--transparent", transparent, "Nothing instead of the sky, for laying over another picture");
 }

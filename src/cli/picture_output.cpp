@@ -29,8 +29,8 @@ render::ToneMap toneMap(const std::string& text) {
 }
 
 void savePicture(const std::string& file, PictureKind kind, const render::Film& film,
-                 const std::vector<render::LightGroup>& lightGroups,
-                 const render::DevelopSettings& settings, bool transparent) {
+                 const std::vector<render::LightGroup>& lightGroups, const render::DevelopSettings& settings,
+                 bool transparent) {
   if (kind == PictureKind::Exr)
     writeFilm(file, film, lightGroups);
   else if (transparent)

@@ -126,10 +126,7 @@ int renderPicture(const Options& options) {
   render::RenderSettings settings;
   settings.width = width;
   settings.height = height;
-  settings.spp = options.spp > 0                          ? options.spp
-                 : options.time > 0 || options.noise > 0 ? 0
-                 : classic                               ? 4
-                                                         : 64;
+  settings.spp = options.spp > 0 ? options.spp : options.time > 0 || options.noise > 0 ? 0 : classic ? 4 : 64;
   settings.timeLimitSeconds = options.time;
   settings.noise = static_cast<float>(options.noise);
   settings.threads = options.threads;

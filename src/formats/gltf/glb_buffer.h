@@ -62,10 +62,8 @@ inline std::size_t GlbBuffer::addPositions(std::span<const Vec3f> values) {
 
 inline std::size_t GlbBuffer::addIndices(std::span<const std::uint32_t> values) {
   const std::size_t view = addView(std::as_bytes(values), kElementArrayBuffer);
-  accessors_.push_back({{"bufferView", view},
-                        {"componentType", kUnsignedInt},
-                        {"count", values.size()},
-                        {"type", "SCALAR"}});
+  accessors_.push_back(
+      {{"bufferView", view}, {"componentType", kUnsignedInt}, {"count", values.size()}, {"type", "SCALAR"}});
   return accessors_.size() - 1;
 }
 

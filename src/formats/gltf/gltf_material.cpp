@@ -37,9 +37,10 @@ std::size_t GltfMaterials::indexOf(const render::Surface& surface, bool withUvs)
 }
 
 GltfMaterials::Json GltfMaterials::describe(const render::Surface& s, bool maps) {
-  Json pbr{{"baseColorFactor", {unit(s.baseColor.x), unit(s.baseColor.y), unit(s.baseColor.z), unit(s.opacity)}},
-           {"metallicFactor", unit(s.metalness)},
-           {"roughnessFactor", unit(s.roughness)}};
+  Json pbr{
+      {"baseColorFactor", {unit(s.baseColor.x), unit(s.baseColor.y), unit(s.baseColor.z), unit(s.opacity)}},
+      {"metallicFactor", unit(s.metalness)},
+      {"roughnessFactor", unit(s.roughness)}};
   if (maps && s.baseColorMap) pbr["baseColorTexture"] = texture(s.baseColorMap);
   if (maps && s.roughnessMap) pbr["metallicRoughnessTexture"] = texture(s.roughnessMap, Use::Roughness);
   Json m;
@@ -64,8 +65,7 @@ GltfMaterials::Json GltfMaterials::describe(const render::Surface& s, bool maps)
   if (s.translucency > 0) {
     extensions["KHR_materials_diffuse_transmission"] = {
         {"diffuseTransmissionFactor", unit(s.translucency)},
-        {"diffuseTransmissionColorFactor",
-         {unit(s.baseColor.x), unit(s.baseColor.y), unit(s.baseColor.z)}}};
+        {"diffuseTransmissionColorFactor", {unit(s.baseColor.x), unit(s.baseColor.y), unit(s.baseColor.z)}}};
   }
   for (const auto& [name, value] : extensions.items()) extensions_.insert(name);
   m["extensions"] = std::move(extensions);
@@ -75,8 +75,8 @@ GltfMaterials::Json GltfMaterials::describe(const render::Surface& s, bool maps)
 GltfMaterials::Json GltfMaterials::texture(const render::TexturePtr& picture, Use use) {
   const auto [it, isNew] = knownTextures_.try_emplace({picture.get(), use}, textures_.size());
   if (isNew) {
-    const Bytes png = use == Use::Roughness ? render::encodePng(roughnessPicture(*picture))
-                                            : render::encodePng(*picture);
+    const Bytes png =
+        use == Use::Roughness ? render::encodePng(roughnessPicture(*picture)) : render::encodePng(*picture);
     if (samplers_.empty()) {
       constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kRepeat = 10497;
       samplers_.push_back({{"magFilter", kLinear},

@@ -33,8 +33,8 @@ bool usable(const Transformf& t) {
 }
 
 Json matrix(const Transformf& t) {
-  return {t.x.x, t.x.y, t.x.z, 0, t.y.x, t.y.y, t.y.z, 0, t.z.x, t.z.y, t.z.z, 0,
-          t.origin.x, t.origin.y, t.origin.z, 1};
+  return {t.x.x, t.x.y, t.x.z, 0, t.y.x,      t.y.y,      t.y.z,      0,
+          t.z.x, t.z.y, t.z.z, 0, t.origin.x, t.origin.y, t.origin.z, 1};
 }
 
 // Cameras and lights of glTF look along -z.
@@ -271,8 +271,8 @@ class Writer {
   const render::Scene& scene_;
   GlbBuffer buffer_;
   GltfMaterials materials_;
-  Json nodes_ = Json::array(), children_ = Json::array(), meshList_ = Json::array(),
-       cameras_ = Json::array(), lights_ = Json::array();
+  Json nodes_ = Json::array(), children_ = Json::array(), meshList_ = Json::array(), cameras_ = Json::array(),
+       lights_ = Json::array();
   std::vector<std::shared_ptr<const Mesh>> placedMeshes_;  // the maps below know meshes by address
   std::map<std::pair<const Mesh*, std::vector<std::uint32_t>>, std::optional<std::size_t>> meshes_;
   std::map<const Mesh*, std::map<std::uint32_t, std::size_t>> indices_;

@@ -26,4 +26,13 @@ struct Interaction {
   Vec3f originTowards(Vec3f d) const { return position + ng * (dot(d, ng) >= 0 ? offset : -offset); }
 };
 
+// Smooth normals on coarse meshes would cut the light off along triangle edges; fade it out instead (Chiang,
+// Li and Burley 2019, "Taming the shadow terminator").
+inline float terminator(const Interaction& at, Vec3f wi) {
+  const float g = dot(at.ng, wi), s = dot(at.ns, wi), n = dot(at.ng, at.ns);
+  if (s * g <= 0 || s * n == 0) return 1;
+  const float q = g / (s * n);
+  return q >= 1 || q <= 0 ? 1.0f : q * (1 + q * (1 - q));
+}
+
 }  // namespace idap::render

@@ -27,6 +27,10 @@ class Daylight {
   float pdfSun(const Receiver& at) const;
   bool hasSun() const { return hasSun_; }
   bool hasSky() const { return hasSky_; }
+  // Whether there are windows to look out of on a sunny day.
+  bool looksOut() const { return hasSun_ && !openings_.empty(); }
+  // A direction for sampleSky(), without asking what the sky is there.
+  bool chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
   std::uint16_t sunGroup() const { return sunGroup_; }
 
  private:
@@ -38,7 +42,6 @@ class Daylight {
   bool seesSun(const Receiver& at) const;
   static float importance(const Opening& opening, const Receiver& at);
   static bool crosses(const Opening& opening, Vec3f from, Vec3f direction);
-  bool chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
   float pdfMap(Vec3f direction) const;
   float mixturePdf(const Receiver& at, Vec3f direction) const;
   // The same where the sum of importances and the solid angle of one opening are known already.

@@ -190,7 +190,8 @@ Texture developTransparent(const Film& film, const DevelopSettings& settings) {
   out.rgba.resize(4 * film.pixels());
   for (std::size_t i = 0; i < film.pixels(); ++i) {
     std::copy_n(&image.rgb[3 * i], 3, &out.rgba[4 * i]);
-    out.rgba[4 * i + 3] = static_cast<std::uint8_t>(255 * std::clamp(film.meanCoverage(i), 0.0f, 1.0f) + 0.5f);
+    out.rgba[4 * i + 3] =
+        static_cast<std::uint8_t>(255 * std::clamp(film.meanCoverage(i), 0.0f, 1.0f) + 0.5f);
   }
   return out;
 }

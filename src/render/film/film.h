@@ -50,8 +50,8 @@ struct Film {
   Rgb meanGroup(std::size_t group, std::size_t i) const { return groups[group][i] * inverseWeight(i); }
   float meanCoverage(std::size_t i) const { return coverage[i] * inverseWeight(i); }  // 0..1
   std::vector<Rgb> meanColors() const;
-  // The standard error of the mean luminance (cd/m2), estimated from the pixel's own samples; infinite where it
-  // is not known: with fewer than two samples, or without their squares.
+  // The standard error of the mean luminance (cd/m2), estimated from the pixel's own samples; infinite where
+  // it is not known: with fewer than two samples, or without their squares.
   float standardError(std::size_t i) const;
 
   // Back to black, keeping the memory.

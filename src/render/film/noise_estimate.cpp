@@ -9,8 +9,8 @@ namespace idap::render {
 
 namespace {
 
-constexpr int kReach = 3;           // pixels
-constexpr float kDarkest = 0.1f;    // of the picture's mean
+constexpr int kReach = 3;         // pixels
+constexpr float kDarkest = 0.1f;  // of the picture's mean
 
 }  // namespace
 
@@ -25,8 +25,8 @@ std::vector<float> noiseEstimate(const Film& film) {
     brightness[i] = luminance(film.meanColor(i));
     sum += static_cast<double>(brightness[i]);
   }
-  const float darkest = std::max(kDarkest * static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(n, 1))),
-                                 1e-20f);
+  const float darkest =
+      std::max(kDarkest * static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(n, 1))), 1e-20f);
   std::vector<float> estimate(n);
   tbb::parallel_for(0, film.height, [&](int y) {
     const int y0 = std::max(y - kReach, 0), y1 = std::min(y + kReach, film.height - 1);
@@ -45,7 +45,8 @@ std::vector<float> noiseEstimate(const Film& film) {
       }
       const auto count = static_cast<float>((x1 - x0 + 1) * (y1 - y0 + 1));
       const std::size_t i = film.index(x, y);
-      estimate[i] = std::sqrt(vSum / count / std::max(film.weight[i], 1.0f)) / std::max(bSum / count, darkest);
+      estimate[i] =
+          std::sqrt(vSum / count / std::max(film.weight[i], 1.0f)) / std::max(bSum / count, darkest);
     }
   });
   return estimate;
@@ -53,7 +54,8 @@ std::vector<float> noiseEstimate(const Film& film) {
 
 float quantile(std::vector<float> values, double share) {
   if (values.empty()) return 0;
-  const auto at = static_cast<std::ptrdiff_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(values.size() - 1));
+  const auto at =
+      static_cast<std::ptrdiff_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(values.size() - 1));
   for (float& v : values)
     if (!(v >= 0)) v = 0;
   std::ranges::nth_element(values, values.begin() + at);

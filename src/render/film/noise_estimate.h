@@ -9,8 +9,8 @@ namespace idap::render {
 
 // The standard error of each pixel's luminance over its brightness, rows from the top. What is darker than a
 // tenth of the picture's mean counts as a tenth: nobody sees the noise there. A pixel's few samples may all
-// have missed what makes the noise, so variances are averaged over 7 x 7 pixels (their samples being as many as
-// the pixel's own, or more). Infinite where nothing is known.
+// have missed what makes the noise, so variances are averaged over 7 x 7 pixels (their samples being as many
+// as the pixel's own, or more). Infinite where nothing is known.
 std::vector<float> noiseEstimate(const Film& film);
 
 // The value that a share of 0..1 of the pixels stay under.

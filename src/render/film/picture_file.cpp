@@ -77,8 +77,8 @@ Bytes encodePicture(const Image8& image, std::string_view extension, int quality
 }
 
 Bytes encodePng(const Texture& picture) {
-  const std::size_t pixels =
-      static_cast<std::size_t>(std::max(picture.width, 0)) * static_cast<std::size_t>(std::max(picture.height, 0));
+  const std::size_t pixels = static_cast<std::size_t>(std::max(picture.width, 0)) *
+                             static_cast<std::size_t>(std::max(picture.height, 0));
   if (pixels == 0 || picture.rgba.size() < 4 * pixels)
     throw RenderError("a picture without pixels cannot be written");
   OIIO::ImageSpec spec(picture.width, picture.height, picture.hasAlpha ? 4 : 3, OIIO::TypeDesc::UINT8);
@@ -122,9 +122,9 @@ Image8 loadPicture(const std::filesystem::path& path) {
 
 void saveLayers(const std::filesystem::path& path, const Film& film, const std::vector<LightGroup>& groups,
                 const std::string& made) {
-  std::vector<std::string> channels{"R",        "G",        "B",        "albedo.R", "albedo.G", "albedo.B",
-                                    "normal.X", "normal.Y", "normal.Z", "depth.Z",  "objectId", "samples",
-                                    "error",    "coverage"};
+  std::vector<std::string> channels{"R",        "G",        "B",        "albedo.R", "albedo.G",
+                                    "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z",
+                                    "objectId", "samples",  "error",    "coverage"};
   std::string names;
   std::vector<float> colors;
   for (std::size_t g = 0; g < film.groups.size(); ++g) {

@@ -29,8 +29,9 @@ Bytes encodePng(const Texture& picture);
 Image8 loadPicture(const std::filesystem::path& path);
 
 // The film as a half-float OpenEXR file in cd/m2: R, G, B; albedo.R.., normal.X.., depth.Z and objectId in
-// full floats, each pixel's samples, coverage and standard error (of the luminance), and one layer a light group (missing names become "group0", ...).
-// made: words for what the film shows, for whoever goes on with it.
+// full floats, each pixel's samples, coverage and standard error (of the luminance), and one layer a light
+// group (missing names become "group0", ...). made: words for what the film shows, for whoever goes on with
+// it.
 void saveLayers(const std::filesystem::path& path, const Film& film,
                 const std::vector<LightGroup>& groups = {}, const std::string& made = {});
 

@@ -92,9 +92,9 @@ Rgb falseColor(float luminance) {
     float stop;
     Rgb color;
   };
-  constexpr Mark kMarks[] = {{-8, {0, 0, 0}},           {-6, {0.13f, 0, 0.25f}}, {-4, {0, 0.05f, 0.8f}},
-                             {-2, {0, 0.6f, 0.75f}},    {0, {0.1f, 0.5f, 0.1f}}, {1, {0.9f, 0.85f, 0}},
-                             {2, {1, 0.35f, 0}},        {2.5f, {0.9f, 0, 0}},    {3.5f, {1, 1, 1}}};
+  constexpr Mark kMarks[] = {{-8, {0, 0, 0}},        {-6, {0.13f, 0, 0.25f}}, {-4, {0, 0.05f, 0.8f}},
+                             {-2, {0, 0.6f, 0.75f}}, {0, {0.1f, 0.5f, 0.1f}}, {1, {0.9f, 0.85f, 0}},
+                             {2, {1, 0.35f, 0}},     {2.5f, {0.9f, 0, 0}},    {3.5f, {1, 1, 1}}};
   const float stop = std::log2(std::max(luminance, 1e-10f) / 0.18f);
   if (stop <= kMarks[0].stop) return kMarks[0].color;
   for (std::size_t i = 1; i < std::size(kMarks); ++i) {

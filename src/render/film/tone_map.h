@@ -20,9 +20,9 @@ inline constexpr ToneMap kToneMaps[] = {ToneMap::PbrNeutral, ToneMap::AgX, ToneM
 
 std::string_view name(ToneMap toneMap);  // "neutral", "agx", "classic", "linear", "false"
 
-// Brightness in stops about middle grey (0.18), from dark to bright: 6 and more below black to purple, blue at
-// -4, cyan at -2, green at 0, yellow at +1, orange at +2, red at 2.5 (the display's white), from 3.5 on white.
-// Linear.
+// Brightness in stops about middle grey (0.18), from dark to bright: 6 and more below black to purple, blue
+// at -4, cyan at -2, green at 0, yellow at +1, orange at +2, red at 2.5 (the display's white), from 3.5 on
+// white. Linear.
 Rgb falseColor(float luminance);
 
 // Input: linear, finite or not. Output: linear, every channel in 0..1.

@@ -41,7 +41,8 @@ std::optional<Ray> CameraRays::at(Vec2f point, Vec2f lens) const {
     case Projection::Orthographic: {
       const bool flat = camera_.projection == Projection::Orthographic;
       const Vec3f eye = flat ? camera_.eye + right_ * x + up_ * y : camera_.eye;
-      const Vec3f way = flat ? forward : forward + right_ * (x + camera_.shift.x) + up_ * (y + camera_.shift.y);
+      const Vec3f way =
+          flat ? forward : forward + right_ * (x + camera_.shift.x) + up_ * (y + camera_.shift.y);
       if (!hasLens()) return Ray{eye, normalized(way)};
       const Vec2f disc = unitDisc(lens) * camera_.lensRadius;
       const Vec3f aside = right_ * disc.x + up_ * disc.y;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/emitter/lights.h"
+#include "render/integrator/outlook.h"
 #include "render/material/bsdf.h"
 #include "render/sampling/warp.h"
 
@@ -11,11 +12,12 @@ namespace idap::render {
 
 namespace {
 
-constexpr int kRouletteAfter = 2;       // bounces that are always followed
-constexpr float kLocalShare = 0.5f;     // of questions, where either lamps or the sky are asked
-constexpr float kSteered = 0.4f;        // of bounces, towards patches of sun
-constexpr float kLeastDiffuse = 0.25f;  // of a surface's scattering, for steering to make sense
-constexpr int kMostSegments = 4096;     // a guard against endless loops, far beyond what roulette lets live
+constexpr int kRouletteAfter = 2;         // bounces that are always followed
+constexpr float kLocalShare = 0.5f;       // of questions, where either lamps or the sky are asked
+constexpr float kCacheReach = 1.5f;       // times a neighbourhood's size; what is nearer is looked at closely
+constexpr std::size_t kMostLessons = 24;  // bounces of a path that a cache learns from
+constexpr float kLeastDiffuse = 0.25f;    // of a surface's scattering, for looks and caches to make sense
+constexpr int kMostSegments = 4096;       // a guard against endless loops, far beyond what roulette lets live
 
 // Power heuristic with exponent 2; b may be 0.
 float share(float a, float b) {
@@ -23,16 +25,15 @@ float share(float a, float b) {
   return 1 / (1 + r * r);
 }
 
-// Smooth normals on coarse meshes would cut the light off along triangle edges; fade it out instead (Chiang,
-// Li and Burley 2019, "Taming the shadow terminator").
-float terminator(const Interaction& at, Vec3f wi) {
-  const float g = dot(at.ng, wi), s = dot(at.ns, wi), n = dot(at.ng, at.ns);
-  if (s * g <= 0 || s * n == 0) return 1;
-  const float q = g / (s * n);
-  return q >= 1 || q <= 0 ? 1.0f : q * (1 + q * (1 - q));
-}
-
 }  // namespace
+
+// A bounce whose light is not known yet.
+struct PathTracer::Lesson {
+  Vec3f position, normal;
+  float factor;    // cosine over the density of the direction's choice
+  Rgb before;      // what the path had gathered
+  Rgb throughput;  // what the light found later is multiplied with
+};
 
 struct PathTracer::Walk {
   Sampler& sampler;
@@ -45,11 +46,13 @@ struct PathTracer::Walk {
   float etaScale = 1.0f;  // undoes the squeezing of radiance in glass where roulette judges the throughput
   Receiver from{};        // where the ray was scattered, and the density with which
   float pdf = 0.0f;
+  bool looked = false;                       // whether looks from there could have found the same
   float localShare = 1.0f, skyShare = 1.0f;  // how likely light sampling asked lamps and the sky there
   bool sharp = true;  // camera or delta lobe: no light sampling could have found the same
   int bounces = 0;
   int segments = 0;
   bool featuresKnown = false;
+  std::vector<Lesson>* lessons = nullptr;
 
   Interaction at{};
   SurfaceValues values{};
@@ -69,6 +72,23 @@ PathSample PathTracer::trace(const Ray& cameraRay, Sampler& sampler, Rgb* groups
   walk.ray = cameraRay;
   if (arrive(walk)) follow(walk);
   return out;
+}
+
+void PathTracer::learn(const Ray& cameraRay, Sampler& sampler, std::vector<CacheRecord>& records) const {
+  PathSample out;
+  std::vector<Lesson> lessons;
+  lessons.reserve(kMostLessons);
+  Walk walk{sampler, out, nullptr, 0};
+  walk.ray = cameraRay;
+  walk.lessons = &lessons;
+  if (arrive(walk)) follow(walk);
+  for (const Lesson& l : lessons) {
+    Rgb irradiance{};
+    for (int k = 0; k < 3; ++k)
+      if (l.throughput[k] > 0) irradiance[k] = (out.radiance[k] - l.before[k]) / l.throughput[k] * l.factor;
+    if (std::isfinite(maxComponent(irradiance)))
+      records.push_back({l.position, LightCache::facing(l.normal), irradiance});
+  }
 }
 
 Rgb PathTracer::illuminance(Vec3f point, Vec3f normal, Sampler& sampler) const {
@@ -153,8 +173,9 @@ void PathTracer::addSky(Walk& walk) const {
   if (daylight.hasSky()) {
     const Rgb sky = daylight.skyRadiance(walk.ray.direction);
     if (maxComponent(sky) > 0)
-      fromSky =
-          sky * weigh(walk.sharp ? 0.0f : walk.skyShare * daylight.pdfSky(walk.from, walk.ray.direction));
+      fromSky = sky * weigh(walk.sharp    ? 0.0f
+                            : walk.looked ? walk.skyShare * Outlook(scene_, walk.from).pdf(walk.ray.direction)
+                                          : walk.skyShare * daylight.pdfSky(walk.from, walk.ray.direction));
   }
   if (daylight.hasSun()) {
     const Rgb sun = daylight.sunRadiance(walk.ray.direction);
@@ -187,6 +208,33 @@ bool PathTracer::passLamp(Walk& walk, const Hit& hit) const {
   return true;
 }
 
+// Adds what one look from the point finds of sky and sunlit surfaces.
+void PathTracer::lookOut(Walk& walk, const Bsdf& bsdf, const Receiver& here, float choice,
+                         float lookShare) const {
+  const Interaction& at = walk.at;
+  const Outlook outlook(scene_, here);
+  Vec3f wi;
+  float pdf = 0;
+  const Vec2f u = walk.sampler.get2D(), onSun = walk.sampler.get2D();
+  if (!outlook.sample(choice, u, wi, pdf)) return;
+  pdf *= lookShare;
+  const BsdfValue f = bsdf.eval(wi);
+  Rgb value = walk.throughput * f.value * (1 / pdf);
+  if (options_.lightSampling == LightSampling::Both) value *= share(pdf, f.pdf);
+  if (at.smooth) value *= terminator(at, wi);
+  if (!(maxComponent(value) > 0)) return;
+  const Outlook::Seen seen = Outlook::look(scene_, at.originTowards(wi), wi, onSun, walk.out.rays);
+  const auto add = [&](Rgb light, std::uint16_t group) {
+    if (!(maxComponent(light) > 0)) return;
+    light *= value;
+    if (options_.clampIndirect > 0)
+      light *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
+    walk.add(light, group);
+  };
+  add(seen.sky, 0);
+  if (options_.lightSampling == LightSampling::Both) add(seen.sun, scene_.lights().daylight().sunGroup());
+}
+
 // Adds the light that reaches the point directly and chooses where the path goes on. False at the path's end.
 bool PathTracer::scatter(Walk& walk) const {
   const Interaction& at = walk.at;
@@ -204,28 +252,21 @@ bool PathTracer::scatter(Walk& walk) const {
   const Receiver here{at.position, at.ng, bsdf.seesBehind()};
   float localShare = 1, skyShare = 1;
 
-  // Where surfaces scatter widely, some bounces are steered to patches of sun.
-  const SunPatches& patches = scene_.lights().sunPatches();
-  std::optional<SunPatchView> guide;
-  float steered = 0;
-  if (!patches.empty() && bsdf.diffuseShare() > kLeastDiffuse) {
-    guide.emplace(patches, here);
-    if (!guide->empty()) steered = kSteered;
-  }
-  const auto bouncePdf = [&](Vec3f wi, float pdf) {
-    return steered > 0 ? (1 - steered) * pdf + steered * guide->pdf(wi) : pdf;
-  };
+  const bool looksOut =
+      scene_.lights().daylight().looksOut() && bsdf.scatters() && bsdf.diffuseShare() > kLeastDiffuse;
   if (bsdf.scatters() && options_.lightSampling != LightSampling::SurfacesOnly) {
-    const auto connect = [&](const LightSample& light) {
+    // byLooks: what a bounce has led to, a look from the point before could have found as well.
+    const auto connect = [&](const LightSample& light, bool byLooks = false) {
       const BsdfValue f = bsdf.eval(light.wi);
       Rgb value = walk.throughput * f.value * light.weight;
-      if (options_.lightSampling == LightSampling::Both && light.pdf > 0)
-        value *= share(light.pdf, bouncePdf(light.wi, f.pdf));
+      if (options_.lightSampling == LightSampling::Both && light.pdf > 0) value *= share(light.pdf, f.pdf);
       if (at.smooth) value *= terminator(at, light.wi);
       if (!(maxComponent(value) > 0)) return;
       ++walk.out.rays;
       value *= scene_.transmittance(
           {at.originTowards(light.wi), light.wi, 0.0f, light.distance * (1 - 5e-5f) - at.offset});
+      if (byLooks && maxComponent(value) > 0)
+        value *= share(walk.pdf, walk.skyShare * Outlook(scene_, walk.from).pdf(walk.ray.direction));
       if (options_.clampIndirect > 0 && walk.bounces > 0)
         value *= std::min(1.0f, options_.clampIndirect / std::max(luminance(value), 1e-20f));
       walk.add(value, light.lightGroup);
@@ -235,8 +276,9 @@ bool PathTracer::scatter(Walk& walk) const {
     LightSample light;
     // The sun is asked everywhere, since missing it costs most; lamps and the sky both where the picture
     // shows the answer, and one of them where light has yet to bounce on.
-    if (daylight.hasSun() && daylight.sampleSun(here, walk.sampler.get2D(), light)) connect(light);
-    bool askLocal = !locals.empty(), askSky = daylight.hasSky();
+    if (daylight.hasSun() && daylight.sampleSun(here, walk.sampler.get2D(), light))
+      connect(light, walk.looked && !walk.sharp && options_.lightSampling == LightSampling::Both);
+    bool askLocal = !locals.empty(), askSky = daylight.hasSky() || looksOut;
     float choice = walk.sampler.get1D();
     if (askLocal && askSky && walk.bounces > 0) {
       localShare = kLocalShare;
@@ -252,7 +294,9 @@ bool PathTracer::scatter(Walk& walk) const {
     }
     if (askSky) {
       if (askLocal) choice = walk.sampler.get1D();
-      if (daylight.sampleSky(here, choice, walk.sampler.get2D(), light)) {
+      if (looksOut) {
+        lookOut(walk, bsdf, here, choice, skyShare);
+      } else if (daylight.sampleSky(here, choice, walk.sampler.get2D(), light)) {
         light.pdf *= skyShare;
         light.weight *= 1 / skyShare;
         connect(light);
@@ -260,39 +304,33 @@ bool PathTracer::scatter(Walk& walk) const {
     }
   }
 
+  if (options_.cache && walk.bounces > 0 && !walk.sharp && bsdf.diffuseShare() > kLeastDiffuse) {
+    const LightCache::Neighbourhood* known = options_.cache->at(at.position, at.ng);
+    if (known && length(at.position - walk.from.position) > kCacheReach * known->size) {
+      walk.add(walk.throughput * bsdf.albedo() * known->irradiance * (1 / kPiF), 0);
+      return false;
+    }
+  }
+
   const float lobe = walk.sampler.get1D();
   const Vec2f u = walk.sampler.get2D();
-  BsdfSample s;
-  if (lobe < steered) {
-    s.wi = guide->sample(lobe / steered, u);
-    const BsdfValue f = bsdf.eval(s.wi);
-    if (!(f.pdf > 0)) return false;
-    s.pdf = f.pdf;
-    s.weight = f.value * (1 / f.pdf);
-  } else {
-    s = bsdf.sample(std::min((lobe - steered) / (1 - steered), kOneMinusEpsilon), u);
-    if (!(s.pdf > 0)) return false;
-  }
-  // Roulette goes by what the throughput would be had the bounce not been steered: it must not kill the paths
-  // that have been aimed at the sun's patches before they get there.
-  const float reach = maxComponent(walk.throughput * s.weight);
-  if (s.delta) {
-    s.weight *= 1 / (1 - steered);
-  } else if (steered > 0) {
-    const float pdf = bouncePdf(s.wi, s.pdf);
-    s.weight *= s.pdf / pdf;
-    s.pdf = pdf;
-  }
+  const BsdfSample s = bsdf.sample(lobe, u);
+  if (!(s.pdf > 0)) return false;
   walk.throughput *= s.weight;
   if (s.straight) {
     walk.pass(dot(at.position - walk.ray.origin, walk.ray.direction));
   } else {
     if (at.smooth && !s.delta) walk.throughput *= terminator(at, s.wi);
+    if (walk.lessons && !s.delta && bsdf.diffuseShare() > kLeastDiffuse &&
+        walk.lessons->size() < kMostLessons)
+      walk.lessons->push_back({here.position, here.normal, std::fabs(dot(at.ns, s.wi)) / s.pdf,
+                               walk.out.radiance, walk.throughput});
     walk.ray = {at.originTowards(s.wi), s.wi};
     walk.from = here;
     walk.pdf = s.pdf;
     walk.localShare = localShare;
     walk.skyShare = skyShare;
+    walk.looked = looksOut;
     walk.sharp = s.delta;
     walk.etaScale *= s.etaScale;
     ++walk.bounces;
@@ -300,7 +338,7 @@ bool PathTracer::scatter(Walk& walk) const {
   if (!(maxComponent(walk.throughput) > 0)) return false;
 
   if (walk.bounces > kRouletteAfter || walk.segments > 16) {
-    const float survival = std::min(0.98f, reach / walk.etaScale);
+    const float survival = std::min(0.98f, maxComponent(walk.throughput) / walk.etaScale);
     if (walk.sampler.get1D() >= survival) return false;
     walk.throughput *= 1 / survival;
   }

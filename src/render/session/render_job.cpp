@@ -12,10 +12,10 @@
 #include <numeric>
 #include <optional>
 
+#include "render/film/noise_estimate.h"
 #include "render/integrator/camera_ray.h"
 #include "render/integrator/classic.h"
 #include "render/integrator/path.h"
-#include "render/film/noise_estimate.h"
 
 namespace idap::render {
 
@@ -24,7 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kTile = 16;
 constexpr int kUnlimitedLog2Samples = 10;
-constexpr int kFirstEstimate = 16;  // samples a pixel; fewer say nothing of the noise
+constexpr int kFirstEstimate = 16;    // samples a pixel; fewer say nothing of the noise
 constexpr double kDoneShare = 0.999;  // of the pixels; the last few would take as long as all the others
 
 class Job {
@@ -36,8 +36,9 @@ class Job {
         film_(film),
         progress_(progress),
         rays_(camera, film.width, film.height),
-        tracer_(scene,
-                {.clampIndirect = settings.clampIndirect, .hideSky = settings.transparentBackground}),
+        tracer_(scene, {.clampIndirect = settings.clampIndirect,
+                        .hideSky = settings.transparentBackground,
+                        .cache = settings.perLightGroupLayers ? nullptr : settings.cache.get()}),
         tilesX_((film.width + kTile - 1) / kTile),
         tilesY_((film.height + kTile - 1) / kTile),
         log2Samples_(
@@ -55,8 +56,8 @@ class Job {
     if (settings_.integrator == IntegratorKind::Classic) classic_.emplace(scene_);
     start_ = Clock::now();
     // Pixels that are quiet enough stay behind the others.
-    const auto began = static_cast<int>(
-        settings_.noise > 0 ? *std::ranges::max_element(film_.weight) : *std::ranges::min_element(film_.weight));
+    const auto began = static_cast<int>(settings_.noise > 0 ? *std::ranges::max_element(film_.weight)
+                                                            : *std::ranges::min_element(film_.weight));
     int done = began;
     for (int wave = std::max(began, 1); !stopped() && (settings_.spp == 0 || done < settings_.spp);) {
       if (settings_.noise > 0 && done >= kFirstEstimate && quietEnough()) break;

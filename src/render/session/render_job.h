@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "base/progress.h"
 #include "render/accel/compiled_scene.h"
@@ -9,6 +10,8 @@
 #include "render/integrator/camera_ray.h"
 
 namespace idap::render {
+
+class LightCache;
 
 enum class IntegratorKind { Path, Classic };
 
@@ -20,10 +23,12 @@ struct RenderSettings {
   // > 0: a pixel is done when its standard error is under this share of its brightness (what is darker than a
   // tenth of the picture's mean counts as a tenth); the others go on, up to spp where that is given.
   float noise = 0.0f;
-  int threads = 0;                // 0: all
+  int threads = 0;  // 0: all
   std::uint64_t seed = 0;
   IntegratorKind integrator = IntegratorKind::Path;
   float clampIndirect = 0.0f;  // see PathOptions
+  // See fillCache(): quicker and nearly right. Not used where light groups are kept apart. Null: none.
+  std::shared_ptr<const LightCache> cache{};
   PixelFilter filter = PixelFilter::BlackmanHarris;
   bool perLightGroupLayers = false;
   bool transparentBackground = false;  // the sky lights the scene but is not seen behind it
@@ -34,7 +39,7 @@ struct RenderStats {
   std::uint64_t paths = 0;  // begun at the camera
   std::uint64_t rays = 0;   // nearest-hit and shadow rays; not counted by the classic integrator
   int spp = 0;              // the least that any pixel has
-  float noise = 0.0f;       // the error that 95 of 100 pixels stay under, as RenderSettings::noise; 0: not known
+  float noise = 0.0f;  // the error that 95 of 100 pixels stay under, as RenderSettings::noise; 0: not known
 };
 
 // Adds samples to the film, which must have the settings' size (RenderError otherwise), until every pixel has

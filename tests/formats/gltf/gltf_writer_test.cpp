@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -139,7 +140,7 @@ TEST(GltfWriter, GlassAndGlowAreExtensions) {
   EXPECT_EQ(m["emissiveFactor"], json({1.0, 0.5, 0.0}));
   EXPECT_EQ(m["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 500.0);
   for (const auto& [name, value] : m["extensions"].items())
-    EXPECT_NE(std::ranges::find(glb.doc["extensionsUsed"], name), glb.doc["extensionsUsed"].end()) << name;
+    EXPECT_EQ(std::ranges::count(glb.doc["extensionsUsed"].get<std::vector<std::string>>(), name), 1) << name;
 }
 
 TEST(GltfWriter, LampsAreInCandelaAndTheSunInLux) {
@@ -166,7 +167,8 @@ TEST(GltfWriter, CamerasKeepTheirFieldOfView) {
   const std::vector<GltfCamera> both{camera, fisheye};
   const Glb glb = parse(writeGlb({}, both));
   ASSERT_EQ(glb.doc["cameras"].size(), 1u);
-  EXPECT_NEAR(glb.doc["cameras"][0]["perspective"]["yfov"].get<double>(), 2 * std::atan(std::tan(0.6) / 2), 1e-6);
+  EXPECT_NEAR(glb.doc["cameras"][0]["perspective"]["yfov"].get<double>(), 2 * std::atan(std::tan(0.6) / 2),
+              1e-6);
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ TEST(ToneMap, ClassicClipsEachChannel) {
 
 TEST(ToneMap, FalseColourSaysStops) {
   const auto stops = [](float n) { return falseColor(0.18f * std::exp2(n)); };
-  EXPECT_GT(stops(0).y, stops(0).x + stops(0).z);   // middle grey: green
-  EXPECT_GT(stops(-4).z, stops(-4).x + stops(-4).y);  // deep shade: blue
+  EXPECT_GT(stops(0).y, stops(0).x + stops(0).z);           // middle grey: green
+  EXPECT_GT(stops(-4).z, stops(-4).x + stops(-4).y);        // deep shade: blue
   EXPECT_GT(stops(2.5f).x, stops(2.5f).y + stops(2.5f).z);  // the display's white: red
   EXPECT_EQ(stops(9), (Rgb{1, 1, 1}));
   EXPECT_EQ(falseColor(0), (Rgb{0, 0, 0}));

@@ -216,7 +216,8 @@ TEST(CameraRays, UprightKeepsTheMiddleAndMakesVerticalsParallel) {
   // Points above each other lie in one column: the ray's way to the right over its way forward is the same.
   const auto column = [](Vec3f d) { return d.x / d.y; };
   EXPECT_NEAR(column(level.at({260, 20})->direction), column(level.at({260, 180})->direction), 1e-5f);
-  EXPECT_GT(std::fabs(column(tilted.at({260, 20})->direction) - column(tilted.at({260, 180})->direction)), 0.05f);
+  EXPECT_GT(std::fabs(column(tilted.at({260, 20})->direction) - column(tilted.at({260, 180})->direction)),
+            0.05f);
 }
 
 TEST(CameraRays, ALensIsSharpAtItsFocus) {
@@ -235,8 +236,9 @@ TEST(CameraRays, ALensIsSharpAtItsFocus) {
 }
 
 TEST(CameraRays, FiltersAreCentredAndAsWideAsTheySay) {
-  for (const auto& [filter, reach] :
-       {std::pair(PixelFilter::BlackmanHarris, 1.5f), {PixelFilter::Triangle, 1.0f}, {PixelFilter::Box, 0.5f}}) {
+  for (const auto& [filter, reach] : {std::pair(PixelFilter::BlackmanHarris, 1.5f),
+                                      {PixelFilter::Triangle, 1.0f},
+                                      {PixelFilter::Box, 0.5f}}) {
     float mean = 0, widest = 0;
     for (int i = 0; i < 1000; ++i) {
       const float o = filterOffset({(static_cast<float>(i) + 0.5f) / 1000, 0.5f}, filter).x;

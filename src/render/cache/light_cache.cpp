@@ -1,0 +1,79 @@
+#include "render/cache/light_cache.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/box.h"
+
+namespace idap::render {
+
+namespace {
+
+constexpr std::size_t kMostRecords = 1200;  // of a neighbourhood that is not divided
+constexpr std::size_t kFewestRecords = 32;  // of one that is believed
+constexpr float kSmallest = 0.05f;          // m, longest side of one that is divided
+
+float along(Vec3f p, std::uint32_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+}  // namespace
+
+std::uint32_t LightCache::facing(Vec3f n) {
+  const float x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+  if (z >= x && z >= y) return n.z >= 0 ? 4 : 5;
+  if (x >= y) return n.x >= 0 ? 0 : 1;
+  return n.y >= 0 ? 2 : 3;
+}
+
+LightCache::LightCache(std::vector<CacheRecord>& records) {
+  auto first = records.begin();
+  for (std::uint32_t way = 0; way < 6; ++way) {
+    const auto last =
+        std::partition(first, records.end(), [&](const CacheRecord& r) { return r.facing == way; });
+    cells_[way].emplace_back();
+    divide(cells_[way], 0, {first, last});
+    first = last;
+  }
+}
+
+void LightCache::divide(Cells& cells, std::size_t index, std::span<CacheRecord> records) {
+  Box3f box;
+  for (const CacheRecord& r : records) box.add(r.position);
+  const Vec3f size = records.empty() ? Vec3f{} : box.size();
+  const float longest = std::max({size.x, size.y, size.z});
+  if (records.size() > kMostRecords && longest > kSmallest) {
+    const std::uint32_t axis = longest == size.x ? 0 : longest == size.y ? 1 : 2;
+    const auto half = records.begin() + static_cast<std::ptrdiff_t>(records.size() / 2);
+    std::ranges::nth_element(records, half, {},
+                             [&](const CacheRecord& r) { return along(r.position, axis); });
+    const float middle = along(half->position, axis);
+    const auto above = std::partition(records.begin(), records.end(),
+                                      [&](const CacheRecord& r) { return along(r.position, axis) < middle; });
+    if (above != records.begin()) {
+      const auto children = static_cast<std::uint32_t>(cells.size());
+      cells[index] = {children, axis, middle};
+      cells.resize(cells.size() + 2);
+      divide(cells, children, {records.begin(), above});
+      divide(cells, children + 1, {above, records.end()});
+      return;
+    }
+  }
+  cells[index] = {0, static_cast<std::uint32_t>(neighbourhoods_.size()), 0};
+  Neighbourhood& n = neighbourhoods_.emplace_back();
+  n.size = longest;
+  n.known = records.size() >= kFewestRecords;
+  Vec3 sum{};
+  for (const CacheRecord& r : records) sum += toDouble(r.irradiance);
+  if (n.known) n.irradiance = toFloat(sum / static_cast<double>(records.size()));
+}
+
+const LightCache::Neighbourhood* LightCache::at(Vec3f position, Vec3f normal) const {
+  const Cells& cells = cells_[facing(normal)];
+  if (cells.empty()) return nullptr;
+  std::size_t index = 0;
+  while (cells[index].children != 0)
+    index = cells[index].children + (along(position, cells[index].axis) >= cells[index].middle ? 1 : 0);
+  const Neighbourhood& n = neighbourhoods_[cells[index].axis];
+  return n.known ? &n : nullptr;
+}
+
+}  // namespace idap::render

@@ -1,0 +1,56 @@
+#include "render/session/fill_cache.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "render/integrator/camera_ray.h"
+#include "render/integrator/path.h"
+
+namespace idap::render {
+
+namespace {
+
+constexpr int kChunk = 512;               // paths
+constexpr int kEighths[] = {1, 1, 2, 4};  // of the paths, pass by pass
+
+}  // namespace
+
+std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, const Camera& camera,
+                                            const RenderSettings& settings, int paths,
+                                            const Progress& progress) {
+  if (settings.integrator != IntegratorKind::Path || paths < 8) return nullptr;
+  const CameraRays rays(camera, settings.width, settings.height);
+  std::shared_ptr<const LightCache> cache;
+  std::vector<CacheRecord> records;
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  std::uint64_t pass = 0;
+  for (const int eighths : kEighths) {
+    const int count = paths / 8 * eighths;
+    const int chunks = (count + kChunk - 1) / kChunk;
+    std::vector<std::vector<CacheRecord>> parts(static_cast<std::size_t>(chunks));
+    const PathTracer tracer(scene, {.clampIndirect = settings.clampIndirect, .cache = cache.get()});
+    const std::uint64_t seed = settings.seed * 4 + pass++ + 0x63616368u;
+    arena.execute([&] {
+      tbb::parallel_for(0, chunks, [&](int chunk) {
+        if (progress.cancelled()) return;
+        std::vector<CacheRecord>& part = parts[static_cast<std::size_t>(chunk)];
+        for (int i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
+          Sampler sampler(i & 0xffff, i >> 16, 0, 0, seed);
+          const Vec2f u = sampler.get2D();
+          const auto ray =
+              rays.at({u.x * static_cast<float>(settings.width), u.y * static_cast<float>(settings.height)});
+          if (ray) tracer.learn(*ray, sampler, part);
+        }
+      });
+    });
+    if (progress.cancelled()) throw Cancelled();
+    for (const auto& part : parts) records.insert(records.end(), part.begin(), part.end());
+    cache = std::make_shared<const LightCache>(records);
+  }
+  return cache->empty() ? nullptr : cache;
+}
+
+}  // namespace idap::render

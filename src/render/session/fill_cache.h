@@ -1,0 +1,19 @@
+// Fills a cache of bounced light for one point of view.
+#pragma once
+
+#include <memory>
+
+#include "base/progress.h"
+#include "render/cache/light_cache.h"
+#include "render/session/render_job.h"
+
+namespace idap::render {
+
+// Traces that many paths, in passes of which each uses what those before have found. Equal settings give
+// equal caches on any number of threads. Null where nothing was found or the settings ask for the classic
+// integrator. Throws Cancelled.
+std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, const Camera& camera,
+                                            const RenderSettings& settings, int paths,
+                                            const Progress& progress = {});
+
+}  // namespace idap::render

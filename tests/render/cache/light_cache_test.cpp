@@ -1,0 +1,107 @@
+#include "render/cache/light_cache.h"
+
+#include <gtest/gtest.h>
+
+#include "render/scene_parts.h"
+#include "render/session/fill_cache.h"
+
+namespace idap::render {
+namespace {
+
+using namespace test;
+
+std::vector<CacheRecord> records(std::size_t n, Vec3f position, Vec3f normal, Rgb irradiance) {
+  return {n, {position, LightCache::facing(normal), irradiance}};
+}
+
+TEST(LightCache, KnowsTheMeanOfANeighbourhood) {
+  std::vector<CacheRecord> all = records(100, {1, 1, 0}, {0, 0, 1}, grey(10));
+  for (const CacheRecord& r : records(100, {1, 1, 0}, {0, 0, 1}, grey(30))) all.push_back(r);
+  const LightCache cache(all);
+  ASSERT_NE(cache.at({1, 1, 0}, {0, 0, 1}), nullptr);
+  EXPECT_NEAR(cache.at({1, 1, 0}, {0.1f, 0, 0.99f})->irradiance.x, 20, 1e-4f);
+}
+
+TEST(LightCache, SidesOfAWallAreKeptApart) {
+  std::vector<CacheRecord> all = records(100, {0, 1, 1}, {1, 0, 0}, grey(5));
+  for (const CacheRecord& r : records(100, {-0.1f, 1, 1}, {-1, 0, 0}, grey(500))) all.push_back(r);
+  const LightCache cache(all);
+  EXPECT_EQ(cache.at({0, 1, 1}, {1, 0, 0})->irradiance, grey(5));
+  EXPECT_EQ(cache.at({-0.1f, 1, 1}, {-1, 0, 0})->irradiance, grey(500));
+  EXPECT_EQ(cache.at({0, 1, 1}, {0, 0, 1}), nullptr);
+}
+
+TEST(LightCache, DividesWhereMuchIsKnown) {
+  std::vector<CacheRecord> all;
+  for (int i = 0; i < 8000; ++i) {
+    const float x = static_cast<float>(i % 100) / 25;
+    all.push_back({{x, 0, 0}, LightCache::facing({0, 0, 1}), grey(x < 2 ? 1.0f : 3.0f)});
+  }
+  const LightCache cache(all);
+  EXPECT_NEAR(cache.at({0.3f, 0, 0}, {0, 0, 1})->irradiance.x, 1, 1e-3f);
+  EXPECT_NEAR(cache.at({3.7f, 0, 0}, {0, 0, 1})->irradiance.x, 3, 1e-3f);
+  EXPECT_LT(cache.at({3.7f, 0, 0}, {0, 0, 1})->size, 1.1f);
+}
+
+TEST(LightCache, AFewPathsAreNotBelieved) {
+  std::vector<CacheRecord> all = records(5, {0, 0, 0}, {0, 0, 1}, grey(1e6f));
+  EXPECT_EQ(LightCache(all).at({0, 0, 0}, {0, 0, 1}), nullptr);
+  EXPECT_EQ(LightCache().at({0, 0, 0}, {0, 0, 1}), nullptr);
+}
+
+// A closed white room with a lamp: most light has bounced.
+std::unique_ptr<CompiledScene> whiteRoom() {
+  SceneMaker make;
+  make.add(boxMesh({0, 0, 0}, {4, 5, 2.5f}, true), lambert(grey(0.7f)));
+  make.add(boxMesh({1, 2, 0}, {2, 3, 1}), lambert(grey(0.4f)));
+  make.scene().lamps.push_back({.position = {2.5f, 1.5f, 2.3f}, .radius = 0.05f, .intensity = grey(100)});
+  return make.compile();
+}
+
+TEST(FillCache, ThePictureIsNearlyTheSameAndQuieter) {
+  const auto scene = whiteRoom();
+  Camera camera;
+  camera.eye = {2, 0.2f, 1.5f};
+  RenderSettings settings{.width = 48, .height = 32, .spp = 1024};
+  Film truth(48, 32), with(48, 32), without(48, 32);
+  render(*scene, camera, settings, truth);
+  settings.spp = 16;
+  settings.seed = 5;
+  render(*scene, camera, settings, without);
+  settings.cache = fillCache(*scene, camera, settings, 60'000);
+  ASSERT_NE(settings.cache, nullptr);
+  const RenderStats cached = render(*scene, camera, settings, with);
+  double mean = 0, meanWith = 0, noise = 0, noiseWith = 0;
+  for (std::size_t i = 0; i < truth.pixels(); ++i) {
+    const auto at = [&](const Film& f) { return static_cast<double>(luminance(f.meanColor(i))); };
+    mean += at(truth), meanWith += at(with);
+    noise += std::pow(at(without) - at(truth), 2), noiseWith += std::pow(at(with) - at(truth), 2);
+  }
+  EXPECT_NEAR(meanWith / mean, 1, 0.02);
+  EXPECT_LT(noiseWith, 0.7 * noise);
+  EXPECT_GT(cached.paths, 0u);
+}
+
+TEST(FillCache, IsTheSameForAnyNumberOfThreads) {
+  const auto scene = whiteRoom();
+  Camera camera;
+  camera.eye = {2, 0.2f, 1.5f};
+  RenderSettings settings{.width = 16, .height = 16, .spp = 4, .threads = 1};
+  Film one(16, 16), two(16, 16);
+  settings.cache = fillCache(*scene, camera, settings, 20'000);
+  render(*scene, camera, settings, one);
+  settings.threads = 2;
+  settings.cache = fillCache(*scene, camera, settings, 20'000);
+  render(*scene, camera, settings, two);
+  EXPECT_EQ(one.color, two.color);
+}
+
+TEST(FillCache, CanBeBrokenOff) {
+  const auto scene = whiteRoom();
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(fillCache(*scene, {}, {.width = 16, .height = 16}, 10'000, progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace idap::render
