@@ -246,6 +246,8 @@ void FurnitureBuilder::addLight(FurnitureId id, const std::shared_ptr<const Furn
   LampOptions options;
   options.lumens = lumens;
   if (scene.lightGroups.size() < kMostGroups) {
+    built_.lamps.resize(scene.lightGroups.size());
+    built_.lamps.push_back(id);
     options.lightGroup = static_cast<std::uint16_t>(scene.lightGroups.size());
     const auto& sources = piece->lamp->sources;
     scene.lightGroups.push_back(

@@ -49,6 +49,7 @@ struct BuiltScene {
   std::shared_ptr<render::Scene> scene;
   Vec3 centre;
   std::vector<ElementId> objects;  // by render::Instance::objectId; [0] is "none": the land
+  std::vector<FurnitureId> lamps;  // by light group: the lamp whose light it is; none for sky and sun
   std::vector<OuterWall> outerWalls;
   std::vector<std::string> warnings;  // what could not be shown as the home asks, in words
   std::size_t triangles = 0;          // of the meshes, each counted once

@@ -83,22 +83,24 @@ std::vector<std::size_t> lightsNamed(const std::vector<LightGroup>& groups, std:
   return found;
 }
 
+Rgb mixFactor(const LightGroup& group, const LightChange& change) {
+  Rgb factor = Rgb{1, 1, 1} * change.strength;
+  if (!change.color) return factor;
+  if (!(luminance(group.color) > 0))
+    throw RenderError(fmt::format(
+        "the colour of \"{}\" is not known, so that it cannot be changed; its strength can", group.name));
+  // A saturated lamp has next to nothing of one colour; what is not there cannot be made much of.
+  constexpr float kMost = 50;
+  for (int k = 0; k < 3; ++k)
+    factor[k] *= std::min((*change.color)[k] / std::max(group.color[k], 1e-3f), kMost);
+  return factor;
+}
+
 Film mixed(const Film& film, const std::vector<LightGroup>& groups, const std::vector<LightChange>& changes) {
   if (film.groups.empty()) throw RenderError("this picture keeps no light by itself");
   std::vector<Rgb> factors(film.groups.size(), Rgb{1, 1, 1});
-  for (std::size_t g = 0; g < std::min(changes.size(), factors.size()); ++g) {
-    factors[g] *= changes[g].strength;
-    if (!changes[g].color) continue;
-    const Rgb own = g < groups.size() ? groups[g].color : Rgb{};
-    if (!(luminance(own) > 0))
-      throw RenderError(
-          fmt::format("the colour of \"{}\" is not known, so that it cannot be changed; its strength can",
-                      g < groups.size() ? groups[g].name : std::string()));
-    // A saturated lamp has next to nothing of one colour; what is not there cannot be made much of.
-    constexpr float kMost = 50;
-    for (int k = 0; k < 3; ++k)
-      factors[g][k] *= std::min((*changes[g].color)[k] / std::max(own[k], 1e-3f), kMost);
-  }
+  for (std::size_t g = 0; g < std::min(changes.size(), factors.size()); ++g)
+    factors[g] = mixFactor(g < groups.size() ? groups[g] : LightGroup{}, changes[g]);
   Film mix = film;
   for (std::size_t i = 0; i < mix.pixels(); ++i) {
     Rgb sum{};

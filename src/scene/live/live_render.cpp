@@ -18,6 +18,7 @@
 #include "render/film/develop.h"
 #include "render/film/enlarge.h"
 #include "render/film/exposure.h"
+#include "render/session/fill_cache.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
 #include "scene/scene_memory.h"
@@ -32,6 +33,7 @@ constexpr double kCoarseTime = 0.026;     // s that it may take: slow machines t
 constexpr double kAnswerTime = 0.035;  // s from an edit to its frame; less is left where building takes long
 constexpr double kShortest = 0.012;    // s that are left at least
 constexpr double kFewest = 0.3;        // share of those pixels, at least
+constexpr int kCachePaths = 24'000;    // that a view's bounced light is learned from
 constexpr double kCalm = 0.35;         // how far the exposure of coarse frames follows each new one
 constexpr float kJump = 1.5f;          // stops from where it does so at once
 
@@ -240,6 +242,7 @@ struct LiveRender::Impl {
     settings.width = std::max(8, request.width / 2);
     settings.height = std::max(8, request.height / 2);
     settings.spp = 1;
+    settings.cache = render::fillCache(stage.scene(), camera(), settings, kCachePaths, progress);
     {
       render::Film half(settings.width, settings.height);
       render::render(stage.scene(), camera(), settings, half, progress);

@@ -30,6 +30,7 @@ PictureRequest requestOf(Home home, std::shared_ptr<const Catalog> catalog, cons
   request.seconds = s.seconds;
   request.lamps = policyOf(s.lamps);
   request.classic = s.classic;
+  request.keepLights = true;
   return request;
 }
 

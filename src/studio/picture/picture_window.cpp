@@ -1,6 +1,7 @@
 #include "studio/picture/picture_window.h"
 
 #include <QClipboard>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
@@ -8,11 +9,17 @@
 #include <QStandardPaths>
 #include <QToolButton>
 
+#include "model/edits/lamp_edits.h"
 #include "model/edits/picture_edits.h"
 #include "pictures/picture_kind.h"
+#include "render/film/develop.h"
+#include "render/film/exposure.h"
+#include "render/film/light_mix.h"
+#include "render/film/picture_file.h"
 #include "studio/picture/compare_view.h"
 #include "studio/picture/gallery_list.h"
 #include "studio/picture/job_list.h"
+#include "studio/picture/light_mixer.h"
 #include "studio/picture/picture_form.h"
 #include "studio/picture/picture_queue.h"
 #include "studio/widgets/background_job.h"
@@ -31,9 +38,10 @@ struct PictureWindow::Impl {
   CompareView* view = nullptr;
   JobList* jobs = nullptr;
   GalleryList* gallery = nullptr;
+  LightMixer* mixer = nullptr;
   QLabel *galleryTitle = nullptr, *facts = nullptr;
-  QToolButton *save = nullptr, *copy = nullptr, *again = nullptr, *compare = nullptr, *rename = nullptr,
-              *remove = nullptr;
+  QToolButton *save = nullptr, *copy = nullptr, *again = nullptr, *compare = nullptr, *mix = nullptr,
+              *rename = nullptr, *remove = nullptr;
   int looking = 0;                     // the job whose preview is shown; 0: a picture of the gallery
   std::map<int, PictureId> madeAgain;  // job -> the picture that it is the new one of
 
@@ -50,6 +58,9 @@ struct PictureWindow::Impl {
   void askFile();
   void chooseOther();
   void compareWith(PictureId other);
+  void mixCurrent();
+  void keepMix();
+  void takeMixOver();
 };
 
 void PictureWindow::Impl::build() {
@@ -68,11 +79,13 @@ void PictureWindow::Impl::build() {
   copy = toolButton("copy", "copyPicture", &window);
   again = toolButton("refresh", "makeAgain", &window);
   compare = toolButton("flip-horizontally", "comparePicture", &window);
+  mix = toolButton("lamp", "mixPicture", &window);
+  mix->setCheckable(true);
   rename = toolButton("text", "renamePicture", &window);
   remove = toolButton("delete", "removePicture", &window);
   auto* bar = new QHBoxLayout;
   bar->addStretch();
-  for (QToolButton* button : {again, compare, save, copy, rename, remove}) {
+  for (QToolButton* button : {again, mix, compare, save, copy, rename, remove}) {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addWidget(button);
   }
@@ -89,6 +102,9 @@ void PictureWindow::Impl::build() {
   auto* splitter = new QSplitter(&window);
   splitter->addWidget(form);
   splitter->addWidget(right);
+  mixer = new LightMixer;
+  mixer->hide();
+  splitter->addWidget(mixer);
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
   auto* all = new QVBoxLayout(&window);
@@ -142,6 +158,23 @@ void PictureWindow::Impl::connectParts() {
   connect(save, &QToolButton::clicked, &window, [this] { askFile(); });
   connect(copy, &QToolButton::clicked, &window,
           [this] { QApplication::clipboard()->setImage(imageOf(gallery->current())); });
+  connect(mix, &QToolButton::toggled, &window, [this](bool on) {
+    mixer->setVisible(on);
+    if (on)
+      mixCurrent();
+    else
+      show(gallery->current());
+  });
+  connect(mixer, &LightMixer::previewed, &window, [this](const QImage& picture) {
+    const Picture* mixed = find(gallery->current());
+    if (mix->isChecked() && mixed && looking == 0) view->show(picture, GalleryList::nameOf(*mixed));
+  });
+  connect(mixer, &LightMixer::keepAsked, &window, [this] { keepMix(); });
+  connect(mixer, &LightMixer::takeOverAsked, &window, [this] { takeMixOver(); });
+  connect(mixer, &LightMixer::failed, &window, [this](const QString& why) {
+    editor.say(Text(QT_TRANSLATE_NOOP("idap", "The lights cannot be mixed: %1"), {fromQt(why)}),
+               Editor::Severity::Error);
+  });
   connect(rename, &QToolButton::clicked, &window, [this] {
     if (gallery->currentItem()) gallery->editItem(gallery->currentItem());
   });
@@ -172,6 +205,8 @@ void PictureWindow::Impl::retranslate() {
     button->setToolTip(tip);
   };
   name(again, tr("A&gain"), tr("Makes this picture again, of the home as it is now, and compares the two"));
+  name(mix, tr("&Light"),
+       tr("Dims, recolours and switches the lights of this picture without making it again"));
   name(compare, tr("&Compare"), tr("Lays another picture beside this one, with a divider to drag"));
   name(save, tr("&Save…"),
        tr("As PNG, JPEG, PCX or GIF; as OpenEXR while the program runs in which it was made"));
@@ -183,7 +218,7 @@ void PictureWindow::Impl::retranslate() {
 
 void PictureWindow::Impl::enable() {
   const Picture* picture = find(gallery->current());
-  for (QToolButton* button : {again, save, copy, rename, remove}) button->setEnabled(picture != nullptr);
+  for (QToolButton* button : {again, mix, save, copy, rename, remove}) button->setEnabled(picture != nullptr);
   compare->setEnabled(picture && editor.home().pictures.size() > 1);
   facts->setText(picture ? GalleryList::describe(*picture).replace(QLatin1Char('\n'), QStringLiteral(" · "))
                          : QString());
@@ -201,6 +236,49 @@ QImage PictureWindow::Impl::imageOf(PictureId id) const {
 void PictureWindow::Impl::show(PictureId id) {
   if (const Picture* picture = find(id)) view->show(imageOf(id), GalleryList::nameOf(*picture));
   enable();
+  if (mix->isChecked()) mixCurrent();
+}
+
+void PictureWindow::Impl::mixCurrent() { mixer->setFilm(queue.filmOf(gallery->current())); }
+
+// At full size, denoised, as bright and as white as the picture was.
+void PictureWindow::Impl::keepMix() {
+  const Picture* picture = find(gallery->current());
+  const auto film = mixer->film();
+  if (!picture || !film) return;
+  Picture kept = *picture;
+  kept.name = fromQt(tr("%1, other light").arg(GalleryList::nameOf(*picture)));
+  kept.made = QDateTime::currentMSecsSinceEpoch();
+  const std::uint64_t ofHome = reinterpret_cast<std::uintptr_t>(&editor.document());
+  runInBackground<Bytes>(
+      &window, tr("Keeping the mix"),
+      [film, changes = mixer->changes()](const Progress& progress) {
+        render::DevelopSettings settings{.progress = &progress};
+        settings.ev = render::autoExposure(film->film);
+        settings.illuminant = render::estimateIlluminant(film->film);
+        const render::Film mixed = render::mixed(film->film, film->lightGroups, changes);
+        return render::encodePicture(render::develop(mixed, settings), "png");
+      },
+      [this, kept, ofHome](Bytes png) {
+        if (ofHome != reinterpret_cast<std::uintptr_t>(&editor.document())) return;
+        const PictureId id{editor.document().freeId()};
+        const auto bytes = std::make_shared<const Bytes>(std::move(png));
+        editor.document().amend([&](const Home& home) { return addPicture(home, id, kept, bytes); });
+        mix->setChecked(false);
+        gallery->setCurrent(id);
+        show(id);
+      },
+      [this](std::exception_ptr error) {
+        if (const QString why = errorText(error); !why.isEmpty()) emit mixer->failed(why);
+      });
+}
+
+void PictureWindow::Impl::takeMixOver() {
+  const std::vector<LampChange> changes = mixer->lampChanges();
+  editor.apply(QT_TRANSLATE_NOOP("idap", "Change lamps"),
+               [&changes](const Home& home) { return withLampsChanged(home, changes); });
+  editor.say(Text(QT_TRANSLATE_NOOP("idap", "The lamps of the home are as in the picture now"), {}),
+             Editor::Severity::Note);
 }
 
 void PictureWindow::Impl::begin() {

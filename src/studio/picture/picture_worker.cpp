@@ -30,6 +30,8 @@ constexpr double kFirstSlice =
     0.8;  // s of tracing before the picture is shown; each next one is twice as long
 constexpr double kCoarsePixels = 24000;  // of the first look
 constexpr int kCoarseSamples = 2;
+constexpr std::size_t kMostLights = 64;  // that are kept apart
+constexpr std::size_t kMostLightBytes = std::size_t{2} << 30;
 
 double secondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -91,7 +93,7 @@ class Tracing {
         denoiser_(denoiser),
         report_(std::move(report)),
         aspect_(static_cast<double>(request_.width) / request_.height),
-        made_(std::make_shared<PictureFilm>(PictureFilm{{request_.width, request_.height}, {}})),
+        made_(std::make_shared<PictureFilm>()),
         film_(made_->film) {}
 
   void make() {
@@ -101,6 +103,8 @@ class Tracing {
     refine();
     job_.samples = film_.samples;
     made_->lightGroups = built_.scene->lightGroups;
+    made_->lamps = built_.lamps;
+    made_->lamps.resize(made_->lightGroups.size());
     if (!request_.classic) job_.film = made_;
   }
 
@@ -117,6 +121,13 @@ class Tracing {
     scene_.emplace(built_.scene, threads_);
     job_.progress.check();
     if (outside && request_.camera) cutAway(*scene_, built_, camera.eye);
+    // Each lamp's light by itself, so that it can be dimmed afterwards, where there is room for that.
+    settings_.perLightGroupLayers =
+        !request_.classic && request_.keepLights && built_.scene->lightGroups.size() <= kMostLights &&
+        render::Film::bytesNeeded(request_.width, request_.height, int(built_.scene->lightGroups.size())) <
+            kMostLightBytes;
+    film_ = render::Film(request_.width, request_.height,
+                         settings_.perLightGroupLayers ? int(built_.scene->lightGroups.size()) : 0);
     view_ = toRenderCamera(camera, built_, aspect_);
     settings_.width = request_.width;
     settings_.height = request_.height;
@@ -136,6 +147,7 @@ class Tracing {
     coarse.width = std::max(8, static_cast<int>(std::lround(request_.width * scale)));
     coarse.height = std::max(8, static_cast<int>(std::lround(coarse.width / aspect_)));
     coarse.spp = kCoarseSamples;
+    coarse.perLightGroupLayers = false;
     render::Film film(coarse.width, coarse.height);
     render::render(*scene_, view_, coarse, film, job_.progress);
     job_.progress.check();

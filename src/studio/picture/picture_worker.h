@@ -24,15 +24,17 @@ struct PictureRequest {
   int samples = 64;     // a pixel; 0: by time only
   double seconds = 20;  // of tracing; 0: by samples only. Whichever comes first
   LampPolicy lamps = LampPolicy::Auto;
-  bool classic = false;  // the shading of 1993
+  bool classic = false;     // the shading of 1993
+  bool keepLights = false;  // each lamp's light by itself, where there is memory for it
   // All processors, for pictures that somebody waits for; else one is left to the window.
   bool allProcessors = false;
 };
 
-// What a picture was made of, for files that keep its light.
+// What a picture was made of, for files that keep its light and for mixing it.
 struct PictureFilm {
   render::Film film;
   std::vector<render::LightGroup> lightGroups;
+  std::vector<FurnitureId> lamps;  // by light group, as BuiltScene::lamps
 };
 
 // Belongs to the GUI thread; so do its signals.

@@ -7,6 +7,8 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +17,7 @@
 #include "formats/registry.h"
 #include "gui/support/gui_support.h"
 #include "studio/picture/compare_view.h"
+#include "studio/picture/light_mixer.h"
 #include "studio/picture/picture_form.h"
 #include "studio/picture/picture_queue.h"
 
@@ -209,6 +212,64 @@ TEST_F(PictureWindowTest, AGalleryPictureIsSavedAsEveryKind) {
     window->savePicture(id, file);
     EXPECT_TRUE(waitFor([&] { return QFile::exists(file) && QFileInfo(file).size() > 100; })) << extension;
   }
+}
+
+TEST_F(PictureWindowTest, LightsAreMixedKeptAndTakenOver) {
+  // A lamp that shines, so that there is something to dim.
+  FurnitureId lamp;
+  editor.apply("lamp", [&](const Home& before) {
+    Home home = before;
+    Furniture piece;
+    piece.name = "Globe";
+    piece.size = {0.2, 0.2, 0.2};
+    piece.position = {1.2, 1.2, 1.9};
+    piece.lamp = Lamp{.lumens = 4000};
+    lamp = home.newId<FurnitureId>();
+    home.furniture.set(lamp, piece);
+    return home;
+  });
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  ASSERT_EQ(part<QListWidget>("gallery")->count(), 1);
+  auto* mixer = part<LightMixer>("lightMixer");
+  EXPECT_FALSE(mixer->isVisible());
+  press("mixPicture");
+  EXPECT_TRUE(mixer->isVisible());
+  ASSERT_TRUE(waitFor([&] { return mixer->ready(); }, kLong));
+  shoot(*window, "light_mixer");
+  EXPECT_FALSE(mixer->changed());
+  EXPECT_FALSE(part<QPushButton>("mixKeep")->isEnabled());
+
+  std::size_t group = 0;
+  while (mixer->film()->lightGroups[group].name != "Globe") ++group;
+  QImage mixed;
+  QObject::connect(mixer, &LightMixer::previewed, mixer, [&](const QImage& picture) { mixed = picture; });
+  const auto brightness = [&] {
+    double sum = 0;
+    for (int y = 0; y < mixed.height(); ++y)
+      for (int x = 0; x < mixed.width(); ++x) sum += qGray(mixed.pixel(x, y));
+    return sum;
+  };
+  auto* strength = part<QWidget>(QStringLiteral("mixStrength%1").arg(group).toLatin1().constData());
+  auto* slider = strength->findChild<QSlider*>();
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Right);
+  QTest::keyClick(slider, Qt::Key_Left);
+  const double asItWas = brightness();
+  QTest::keyClick(slider, Qt::Key_Home);
+  EXPECT_LT(brightness(), 0.98 * asItWas);
+  EXPECT_TRUE(mixer->changed());
+
+  press("mixTakeOver");
+  EXPECT_FALSE(editor.home().furniture.find(lamp)->lamp->on);
+  editor.undo();
+  EXPECT_TRUE(editor.home().furniture.find(lamp)->lamp->on);
+
+  press("mixKeep");
+  ASSERT_TRUE(waitFor([&] { return part<QListWidget>("gallery")->count() == 2; }, kLong));
+  EXPECT_FALSE(mixer->isVisible());
+  EXPECT_TRUE(part<QListWidget>("gallery")->item(1)->text().contains(QStringLiteral("other light")) ||
+              part<QListWidget>("gallery")->item(0)->text().contains(QStringLiteral("other light")));
 }
 
 }  // namespace
