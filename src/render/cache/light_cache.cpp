@@ -9,7 +9,9 @@ namespace idap::render {
 
 namespace {
 
-constexpr std::size_t kMostRecords = 1200;  // of a neighbourhood that is not divided
+// Of a neighbourhood that is not divided: more where more is known altogether, so that the many rare bright
+// paths it takes to be right are in every one.
+constexpr std::size_t kLeastMost = 150, kMostMost = 1200, kNeighbourhoods = 400;
 constexpr std::size_t kFewestRecords = 32;  // of one that is believed
 constexpr float kSmallest = 0.05f;          // m, longest side of one that is divided
 
@@ -24,7 +26,8 @@ std::uint32_t LightCache::facing(Vec3f n) {
   return n.y >= 0 ? 2 : 3;
 }
 
-LightCache::LightCache(std::vector<CacheRecord>& records) {
+LightCache::LightCache(std::vector<CacheRecord>& records)
+    : most_(std::clamp(records.size() / kNeighbourhoods, kLeastMost, kMostMost)) {
   auto first = records.begin();
   for (std::uint32_t way = 0; way < 6; ++way) {
     const auto last =
@@ -40,7 +43,7 @@ void LightCache::divide(Cells& cells, std::size_t index, std::span<CacheRecord> 
   for (const CacheRecord& r : records) box.add(r.position);
   const Vec3f size = records.empty() ? Vec3f{} : box.size();
   const float longest = std::max({size.x, size.y, size.z});
-  if (records.size() > kMostRecords && longest > kSmallest) {
+  if (records.size() > most_ && longest > kSmallest) {
     const std::uint32_t axis = longest == size.x ? 0 : longest == size.y ? 1 : 2;
     const auto half = records.begin() + static_cast<std::ptrdiff_t>(records.size() / 2);
     std::ranges::nth_element(records, half, {},

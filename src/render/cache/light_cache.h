@@ -1,8 +1,8 @@
-// What bounced light brings to every neighbourhood, learned from paths traced beforehand, so that later paths
-// can stop there: far fewer rays and far less noise, for a small and smooth error. For the live view, films
-// and quick pictures; a picture that is to be right does without. Source of the idea: Ward, Rubinstein and
-// Clear 1988, "A ray tracing solution for diffuse interreflection"; unlike there, what the eye sees directly
-// always gathers its light with rays of its own.
+// What light brings to every neighbourhood, the sun's own apart, learned from paths traced beforehand, so
+// that later paths can stop there: far fewer rays and far less noise, for a small and smooth error. For the
+// live view, films and quick pictures; a picture that is to be right does without. Source of the idea: Ward,
+// Rubinstein and Clear 1988, "A ray tracing solution for diffuse interreflection"; unlike there, what the eye
+// sees directly always gathers its light with rays of its own.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace idap::render {
 
-// What one path found out at one of its bounces.
+// What one path found out at one of the surfaces it met.
 struct CacheRecord {
   Vec3f position;        // m
   std::uint32_t facing;  // LightCache::facing() of the normal
-  Rgb irradiance;  // lux, an estimate: all that comes by bounces, without what light sampling found there
+  Rgb irradiance;        // lux, an estimate: of all light but what comes straight from the sun
 };
 
 class LightCache {
@@ -48,6 +48,7 @@ class LightCache {
   using Cells = std::vector<Cell>;  // a kd-tree; the root first
   void divide(Cells& cells, std::size_t index, std::span<CacheRecord> records);
 
+  std::size_t most_ = 0;        // records of a neighbourhood that is not divided
   std::array<Cells, 6> cells_;  // by facing
   std::vector<Neighbourhood> neighbourhoods_;
 };

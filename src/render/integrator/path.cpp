@@ -27,12 +27,11 @@ float share(float a, float b) {
 
 }  // namespace
 
-// A bounce whose light is not known yet.
+// A point whose light is not known yet.
 struct PathTracer::Lesson {
   Vec3f position, normal;
-  float factor;    // cosine over the density of the direction's choice
-  Rgb before;      // what the path had gathered
-  Rgb throughput;  // what the light found later is multiplied with
+  Rgb before;  // what the path had gathered
+  Rgb scale;   // what it gathers from here on, of one lux there
 };
 
 struct PathTracer::Walk {
@@ -85,7 +84,7 @@ void PathTracer::learn(const Ray& cameraRay, Sampler& sampler, std::vector<Cache
   for (const Lesson& l : lessons) {
     Rgb irradiance{};
     for (int k = 0; k < 3; ++k)
-      if (l.throughput[k] > 0) irradiance[k] = (out.radiance[k] - l.before[k]) / l.throughput[k] * l.factor;
+      if (l.scale[k] > 0) irradiance[k] = (out.radiance[k] - l.before[k]) / l.scale[k];
     if (std::isfinite(maxComponent(irradiance)))
       records.push_back({l.position, LightCache::facing(l.normal), irradiance});
   }
@@ -235,6 +234,14 @@ void PathTracer::lookOut(Walk& walk, const Bsdf& bsdf, const Receiver& here, flo
   if (options_.lightSampling == LightSampling::Both) add(seen.sun, scene_.lights().daylight().sunGroup());
 }
 
+// Ends the path with what is known of the light here. False where that is not enough.
+bool PathTracer::takeFromCache(Walk& walk, const Bsdf& bsdf) const {
+  const LightCache::Neighbourhood* known = options_.cache->at(walk.at.position, walk.at.ng);
+  if (!known || length(walk.at.position - walk.from.position) <= kCacheReach * known->size) return false;
+  walk.add(walk.throughput * bsdf.albedo() * known->irradiance * (1 / kPiF), 0);
+  return true;
+}
+
 // Adds the light that reaches the point directly and chooses where the path goes on. False at the path's end.
 bool PathTracer::scatter(Walk& walk) const {
   const Interaction& at = walk.at;
@@ -252,8 +259,8 @@ bool PathTracer::scatter(Walk& walk) const {
   const Receiver here{at.position, at.ng, bsdf.seesBehind()};
   float localShare = 1, skyShare = 1;
 
-  const bool looksOut =
-      scene_.lights().daylight().looksOut() && bsdf.scatters() && bsdf.diffuseShare() > kLeastDiffuse;
+  const bool widely = bsdf.scatters() && bsdf.diffuseShare() > kLeastDiffuse;
+  const bool looksOut = scene_.lights().daylight().looksOut() && widely;
   if (bsdf.scatters() && options_.lightSampling != LightSampling::SurfacesOnly) {
     // byLooks: what a bounce has led to, a look from the point before could have found as well.
     const auto connect = [&](const LightSample& light, bool byLooks = false) {
@@ -278,6 +285,12 @@ bool PathTracer::scatter(Walk& walk) const {
     // shows the answer, and one of them where light has yet to bounce on.
     if (daylight.hasSun() && daylight.sampleSun(here, walk.sampler.get2D(), light))
       connect(light, walk.looked && !walk.sharp && options_.lightSampling == LightSampling::Both);
+    if (widely) {
+      if (walk.lessons && walk.lessons->size() < kMostLessons)
+        walk.lessons->push_back(
+            {here.position, here.normal, walk.out.radiance, walk.throughput * bsdf.albedo() * (1 / kPiF)});
+      if (options_.cache && walk.bounces > 0 && !walk.sharp && takeFromCache(walk, bsdf)) return false;
+    }
     bool askLocal = !locals.empty(), askSky = daylight.hasSky() || looksOut;
     float choice = walk.sampler.get1D();
     if (askLocal && askSky && walk.bounces > 0) {
@@ -304,14 +317,6 @@ bool PathTracer::scatter(Walk& walk) const {
     }
   }
 
-  if (options_.cache && walk.bounces > 0 && !walk.sharp && bsdf.diffuseShare() > kLeastDiffuse) {
-    const LightCache::Neighbourhood* known = options_.cache->at(at.position, at.ng);
-    if (known && length(at.position - walk.from.position) > kCacheReach * known->size) {
-      walk.add(walk.throughput * bsdf.albedo() * known->irradiance * (1 / kPiF), 0);
-      return false;
-    }
-  }
-
   const float lobe = walk.sampler.get1D();
   const Vec2f u = walk.sampler.get2D();
   const BsdfSample s = bsdf.sample(lobe, u);
@@ -321,10 +326,6 @@ bool PathTracer::scatter(Walk& walk) const {
     walk.pass(dot(at.position - walk.ray.origin, walk.ray.direction));
   } else {
     if (at.smooth && !s.delta) walk.throughput *= terminator(at, s.wi);
-    if (walk.lessons && !s.delta && bsdf.diffuseShare() > kLeastDiffuse &&
-        walk.lessons->size() < kMostLessons)
-      walk.lessons->push_back({here.position, here.normal, std::fabs(dot(at.ns, s.wi)) / s.pdf,
-                               walk.out.radiance, walk.throughput});
     walk.ray = {at.originTowards(s.wi), s.wi};
     walk.from = here;
     walk.pdf = s.pdf;

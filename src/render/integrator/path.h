@@ -60,6 +60,7 @@ class PathTracer {
   void addSky(Walk& walk) const;
   bool passLamp(Walk& walk, const Hit& hit) const;
   bool scatter(Walk& walk) const;
+  bool takeFromCache(Walk& walk, const Bsdf& bsdf) const;
   void lookOut(Walk& walk, const Bsdf& bsdf, const Receiver& here, float choice, float lookShare) const;
 
   const CompiledScene& scene_;

@@ -33,9 +33,11 @@ constexpr double kCoarseTime = 0.026;     // s that it may take: slow machines t
 constexpr double kAnswerTime = 0.035;  // s from an edit to its frame; less is left where building takes long
 constexpr double kShortest = 0.012;    // s that are left at least
 constexpr double kFewest = 0.3;        // share of those pixels, at least
-constexpr int kCachePaths = 24'000;    // that a view's bounced light is learned from
-constexpr double kCalm = 0.35;         // how far the exposure of coarse frames follows each new one
-constexpr float kJump = 1.5f;          // stops from where it does so at once
+constexpr int kCachePaths = 24'000;    // that a view's light is learned from at first
+constexpr int kBetterPaths = 200'000;  // and once it has so many samples a pixel
+constexpr int kBetterFrom = 8;
+constexpr double kCalm = 0.35;  // how far the exposure of coarse frames follows each new one
+constexpr float kJump = 1.5f;   // stops from where it does so at once
 
 // Tracing threads give way to the window's.
 class LowPriority : public tbb::task_scheduler_observer {
@@ -234,27 +236,29 @@ struct LiveRender::Impl {
     share = std::clamp(share * std::clamp(budget / took.count(), 0.7, 1.1), kFewest, 1.0);
   }
 
-  // Half the size first, then the whole in waves of doubling length.
+  // A third of the size first, then the whole in waves of doubling length.
   void refine(const Progress& progress) {
     render::RenderSettings settings;
     settings.threads = threads;
     settings.clampIndirect = render::clampFor(*ev);
-    settings.width = std::max(8, request.width / 2);
-    settings.height = std::max(8, request.height / 2);
+    settings.width = std::max(8, request.width / 3);
+    settings.height = std::max(8, request.height / 3);
     settings.spp = 1;
     settings.cache = render::fillCache(stage.scene(), camera(), settings, kCachePaths, progress);
     {
-      render::Film half(settings.width, settings.height);
-      render::render(stage.scene(), camera(), settings, half, progress);
+      render::Film small(settings.width, settings.height);
+      render::render(stage.scene(), camera(), settings, small, progress);
       progress.check();
       lookThrough(request.width, request.height);
-      show(half, 0, false, progress);
+      show(small, 0, false, progress);
     }
     settings.width = request.width;
     settings.height = request.height;
     render::Film film(request.width, request.height);
     for (int samples = 1; samples <= request.samples; samples *= 2) {
       settings.spp = samples;
+      if (samples == kBetterFrom)
+        settings.cache = render::fillCache(stage.scene(), camera(), settings, kBetterPaths, progress);
       render::render(stage.scene(), camera(), settings, film, progress);
       progress.check();
       show(film, samples, samples * 2 > request.samples, progress);
