@@ -5264,6 +5264,42 @@
         <source>Keeps where the live view stands as a camera of the home</source>
         <translation>เก็บตำแหน่งของมุมมองสดไว้เป็นกล้องของบ้าน</translation>
     </message>
+    <message>
+        <source>Own colour</source>
+        <translation>สีเดิม</translation>
+    </message>
+    <message>
+        <source>Candle, 2200 K</source>
+        <translation>แสงเทียน 2200 K</translation>
+    </message>
+    <message>
+        <source>Warm white, 2700 K</source>
+        <translation>ขาวอุ่น 2700 K</translation>
+    </message>
+    <message>
+        <source>Soft white, 3000 K</source>
+        <translation>ขาวนวล 3000 K</translation>
+    </message>
+    <message>
+        <source>Neutral white, 4000 K</source>
+        <translation>ขาวกลาง 4000 K</translation>
+    </message>
+    <message>
+        <source>Daylight, 6500 K</source>
+        <translation>แสงกลางวัน 6500 K</translation>
+    </message>
+    <message>
+        <source>The lights cannot be mixed: %1</source>
+        <translation>ผสมแสงไม่ได้: %1</translation>
+    </message>
+    <message>
+        <source>Change lamps</source>
+        <translation>เปลี่ยนโคมไฟ</translation>
+    </message>
+    <message>
+        <source>The lamps of the home are as in the picture now</source>
+        <translation>โคมไฟในบ้านเป็นเหมือนในภาพแล้ว</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -6216,6 +6252,69 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>You have a library %1 already. It will be replaced by this one.</source>
         <translation>มีคลัง %1 อยู่แล้ว จะถูกแทนที่ด้วยคลังนี้</translation>
+    </message>
+</context>
+<context>
+    <name>idap::LightMixer</name>
+    <message>
+        <source>Lights of this picture</source>
+        <translation>แสงของภาพนี้</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as a picture</source>
+        <translation>เก็บเป็นภาพ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Puts the mix into the gallery, beside the picture it was made of</source>
+        <translation>เก็บภาพที่ผสมแสงแล้วไว้ในแกลเลอรี ข้างภาพต้นฉบับ</translation>
+    </message>
+    <message>
+        <source>Set the &amp;home&apos;s lamps so</source>
+        <translation>ตั้งโคมไฟในบ้านตามนี้(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Dims, recolours and switches the lamps of the home as they are here; can be undone</source>
+        <translation>หรี่ เปลี่ยนสี และเปิดปิดโคมไฟในบ้านตามที่ตั้งไว้ที่นี่ เลิกทำได้</translation>
+    </message>
+    <message>
+        <source>As the picture &amp;was</source>
+        <translation>กลับเป็นภาพเดิม(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The light of this picture is no longer known. Make it again to mix its lights.</source>
+        <translation>ไม่มีข้อมูลแสงของภาพนี้แล้ว สร้างภาพใหม่อีกครั้งเพื่อผสมแสง</translation>
+    </message>
+    <message>
+        <source>This picture keeps no light by itself.</source>
+        <translation>ภาพนี้ไม่ได้เก็บแสงแต่ละดวงแยกไว้</translation>
+    </message>
+    <message>
+        <source>Taking the lights apart…</source>
+        <translation>กำลังแยกแสงแต่ละดวง…</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>ท้องฟ้า</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>ดวงอาทิตย์</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture&apos;s light</source>
+        <translation>%1 % ของแสงในภาพ</translation>
+    </message>
+    <message>
+        <source>Strength of %1</source>
+        <translation>ความแรงของ %1</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>สีของ %1</translation>
+    </message>
+    <message>
+        <source>Taking the lights apart</source>
+        <translation>กำลังแยกแสงแต่ละดวง</translation>
     </message>
 </context>
 <context>
@@ -7176,6 +7275,22 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>&amp;Delete</source>
         <translation>ลบ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>แสง(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dims, recolours and switches the lights of this picture without making it again</source>
+        <translation>หรี่ เปลี่ยนสี และเปิดปิดแสงของภาพนี้โดยไม่ต้องสร้างใหม่</translation>
+    </message>
+    <message>
+        <source>%1, other light</source>
+        <translation>%1 แสงแบบอื่น</translation>
+    </message>
+    <message>
+        <source>Keeping the mix</source>
+        <translation>กำลังเก็บภาพที่ผสมแสง</translation>
     </message>
 </context>
 <context>
