@@ -8,7 +8,11 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <functional>
+#include <map>
 
 #include "light/color_temperature.h"
 #include "render/film/mix_preview.h"
@@ -85,6 +89,8 @@ void LightMixer::Impl::build() {
   keep->setObjectName(QStringLiteral("mixKeep"));
   takeOver = new QPushButton;
   takeOver->setObjectName(QStringLiteral("mixTakeOver"));
+  // Wide enough for its rows before they are there, so that the picture is not pushed aside later.
+  mixer.setMinimumWidth(36 * mixer.fontMetrics().averageCharWidth());
   auto* column = new QVBoxLayout(&mixer);
   column->addWidget(title);
   column->addWidget(hint);
@@ -139,6 +145,7 @@ void LightMixer::Impl::fill() {
   std::ranges::stable_sort(order, std::ranges::greater{},
                            [&](std::size_t g) { return preview->shares()[g]; });
   int line = 0;
+  std::map<QString, int> named;
   for (const std::size_t g : order) {
     Row row;
     row.group = g;
@@ -146,7 +153,8 @@ void LightMixer::Impl::fill() {
     const QString name = g == 0                                                   ? tr("Sky")
                          : light.name == "sun" && film->lamps[g] == FurnitureId{} ? tr("Sun")
                                                                                   : toQt(light.name);
-    row.on = new QCheckBox(name);
+    const int same = ++named[name];  // lamps of one name are told apart by numbers
+    row.on = new QCheckBox(same == 1 ? name : QStringLiteral("%1 (%2)").arg(name).arg(same));
     row.on->setObjectName(QStringLiteral("mixOn%1").arg(g));
     row.on->setChecked(true);
     row.on->setToolTip(tr("%1 % of the picture's light").arg(100 * double(preview->shares()[g]), 0, 'f', 1));
@@ -155,16 +163,15 @@ void LightMixer::Impl::fill() {
     row.strength->setValue(100);
     row.strength->number()->setAccessibleName(tr("Strength of %1").arg(name));
     row.strength->slider()->setAccessibleName(tr("Strength of %1").arg(name));
-    grid->addWidget(row.on, line, 0);
-    grid->addWidget(row.strength, line, 1);
-    ++line;
+    if (line > 0) grid->setRowMinimumHeight(line++, 4);
+    grid->addWidget(row.on, line++, 0);
+    grid->addWidget(row.strength, line++, 0);
     if (luminance(light.color) > 0) {
       row.warmth = new QComboBox;
       row.warmth->setObjectName(QStringLiteral("mixWarmth%1").arg(g));
       row.warmth->setAccessibleName(tr("Colour of %1").arg(name));
       for (const Warmth& w : kWarmths) row.warmth->addItem(translated(w.name), w.kelvin);
-      grid->addWidget(row.warmth, line, 1);
-      ++line;
+      grid->addWidget(row.warmth, line++, 0);
       connect(row.warmth, &QComboBox::currentIndexChanged, &mixer, [this] { show(); });
     }
     connect(row.on, &QCheckBox::toggled, &mixer, [this, field = row.strength](bool on) {
@@ -176,8 +183,10 @@ void LightMixer::Impl::fill() {
     rows.push_back(row);
   }
   grid->setRowStretch(line, 1);
-  grid->setColumnStretch(1, 1);
   scroll->setWidget(list);
+  list->ensurePolished();
+  scroll->setMinimumWidth(std::max(list->sizeHint().width(), list->minimumSizeHint().width()) +
+                          scroll->verticalScrollBar()->sizeHint().width());
   show();
 }
 

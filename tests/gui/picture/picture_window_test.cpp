@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -223,7 +224,11 @@ TEST_F(PictureWindowTest, LightsAreMixedKeptAndTakenOver) {
   press("mixPicture");
   EXPECT_TRUE(mixer->isVisible());
   ASSERT_TRUE(waitFor([&] { return mixer->ready(); }, kLong));
+  QTest::qWait(50);
   shoot(*window, "light_mixer");
+  auto* rows = part<QScrollArea>("mixLights");
+  EXPECT_LE(rows->widget()->minimumSizeHint().width(), rows->viewport()->width()) << "cut off at the right";
+  EXPECT_LE(mixer->mapTo(window.get(), QPoint(mixer->width(), 0)).x(), window->width());
   EXPECT_FALSE(mixer->changed());
   EXPECT_FALSE(part<QPushButton>("mixKeep")->isEnabled());
 
