@@ -57,7 +57,7 @@ Arguments parse(int argc, char** argv) {
   for (int i = 2; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with("--")) {
-      const bool flag = word == "--matte" || word == "--denoise" || word == "--clamp";
+      const bool flag = word == "--matte" || word == "--denoise" || word == "--clamp" || word == "--no-looks";
       a.options[word.substr(2)] = flag || i + 1 >= argc ? "" : argv[++i];
     } else {
       a.files.push_back(word);
@@ -173,6 +173,7 @@ int renderScene(const Arguments& a) {
   settings.timeLimitSeconds = a.number("time", 0);
   settings.noise = static_cast<float>(a.number("noise", 0));
   settings.threads = static_cast<int>(a.number("threads", 0));
+  settings.looks = !a.has("no-looks");
   settings.seed = static_cast<std::uint64_t>(a.number("seed", 0));
   if (a.has("clamp"))
     settings.clampIndirect = render::clampFor(render::pilotExposure(scene, p.camera, settings));

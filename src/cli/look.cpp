@@ -4,6 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/usage_error.h"
+#include "render/session/focus.h"
 
 namespace idap::cli {
 
@@ -62,23 +63,15 @@ render::Camera Look::camera(render::Camera c, const render::CompiledScene& scene
       c.horizontalFov = 1.1f;
     }
   }
-  const auto depthInMiddle = [&] {
-    render::Hit hit;
-    if (!scene.intersect({c.eye, c.forward}, hit, render::kSeenByCamera)) return 10.0f;
-    return std::max(hit.t, 0.05f);
-  };
   if (lens == "orthographic" && c.projection != Projection::Orthographic) {
     c.projection = Projection::Orthographic;
-    c.orthographicWidth = 2 * std::tan(0.5f * std::min(c.horizontalFov, 2.5f)) * depthInMiddle();
+    c.orthographicWidth =
+        2 * std::tan(0.5f * std::min(c.horizontalFov, 2.5f)) * render::depthInMiddle(scene, c);
   }
-  if (aperture) {
-    c.lensRadius = render::lensRadius(c.horizontalFov, static_cast<float>(*aperture));
-    c.focusDistance = focus ? static_cast<float>(*focus) : depthInMiddle();
-  }
-  if (!upright) return c;
-  const Vec3f before = c.forward;
-  c = render::upright(c);
-  c.focusDistance *= dot(before, c.forward);  // counted along forward
+  // --focus is measured from the eye, which for what is in the middle is the way along forward.
+  if (upright) c = render::upright(c);
+  if (aperture)
+    c = render::withAperture(scene, c, static_cast<float>(*aperture), static_cast<float>(focus.value_or(0)));
   return c;
 }
 

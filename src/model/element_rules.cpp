@@ -288,6 +288,8 @@ void rules(T& picture, Judge& j) {
   count(picture.settings.samples);
   count(picture.samples);
   j.within(picture.settings.seconds, 0, 1e7, 0, "time not usable: changed");
+  j.within(picture.settings.brightness, -20, 20, 0, "brightness not usable: changed");
+  j.within(picture.settings.aperture, 0, 100, 0, "aperture not usable: changed");
   if (const auto time = static_cast<double>(picture.made); time < kFirstTime || time > kLastTime) {
     j.found("time not usable: changed");
     if constexpr (!std::is_const_v<T>) picture.made = 0;

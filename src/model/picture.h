@@ -11,6 +11,8 @@ namespace idap {
 
 enum class PictureLamps { AsTheHome, On, Off };
 
+enum class PictureTone { Neutral, Film, FalseColor };
+
 // How a picture is made; the same again makes the same picture of a changed home.
 struct PictureSettings {
   Camera view;             // its time, where it has one, is the picture's
@@ -20,6 +22,10 @@ struct PictureSettings {
   int samples = 64;                // a pixel; 0: by time
   double seconds = 0;              // of tracing; 0: by samples
   PictureLamps lamps = PictureLamps::AsTheHome;
+  PictureTone tone = PictureTone::Neutral;
+  double brightness = 0;  // stops beside what the picture itself asks for; positive is brighter
+  bool upright = false;   // vertical lines stay vertical
+  double aperture = 0;    // f-number of the lens; 0: all is sharp
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 

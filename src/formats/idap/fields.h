@@ -49,6 +49,10 @@ struct EnumNames<PictureLamps> {
   static constexpr auto kNames = std::to_array<std::string_view>({"home", "on", "off"});
 };
 template <>
+struct EnumNames<PictureTone> {
+  static constexpr auto kNames = std::to_array<std::string_view>({"neutral", "film", "false-color"});
+};
+template <>
 struct EnumNames<LineDash> {
   static constexpr auto kNames =
       std::to_array<std::string_view>({"solid", "dot", "dash", "dash-dot", "dash-dot-dot"});
@@ -207,6 +211,7 @@ void listFields(A& a, Of<PictureSettings>) {
   using T = PictureSettings;
   a("view", &T::view)("fromAbove", &T::fromAbove)("width", &T::width)("height", &T::height);
   a("classic", &T::classic)("samples", &T::samples)("seconds", &T::seconds)("lamps", &T::lamps);
+  a("tone", &T::tone)("brightness", &T::brightness)("upright", &T::upright)("aperture", &T::aperture);
 }
 
 template <class A>

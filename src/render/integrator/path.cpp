@@ -260,7 +260,7 @@ bool PathTracer::scatter(Walk& walk) const {
   float localShare = 1, skyShare = 1;
 
   const bool widely = bsdf.scatters() && bsdf.diffuseShare() > kLeastDiffuse;
-  const bool looksOut = scene_.lights().daylight().looksOut() && widely;
+  const bool looksOut = scene_.lights().daylight().looksOut() && widely && options_.looks;
   if (bsdf.scatters() && options_.lightSampling != LightSampling::SurfacesOnly) {
     // byLooks: what a bounce has led to, a look from the point before could have found as well.
     const auto connect = [&](const LightSample& light, bool byLooks = false) {

@@ -20,6 +20,7 @@ enum class LightSampling { Both, SurfacesOnly, LightsOnly };
 struct PathOptions {
   float clampIndirect = 0.0f;  // cd/m2; > 0 cuts off brighter indirect samples: fewer specks, some light lost
   LightSampling lightSampling = LightSampling::Both;
+  bool looks = true;     // see Outlook; off only to measure what it brings
   bool hideSky = false;  // black where the camera sees nothing but sky
   // Where light that has bounced before is taken from; null: paths are followed to their end. Its light
   // counts to group 0.

@@ -29,6 +29,7 @@ struct RenderSettings {
   float clampIndirect = 0.0f;  // see PathOptions
   // See fillCache(): quicker and nearly right. Not used where light groups are kept apart. Null: none.
   std::shared_ptr<const LightCache> cache{};
+  bool looks = true;  // see PathOptions
   PixelFilter filter = PixelFilter::BlackmanHarris;
   bool perLightGroupLayers = false;
   bool transparentBackground = false;  // the sky lights the scene but is not seen behind it

@@ -15,6 +15,7 @@
 #include "studio/picture/picture_sizes.h"
 #include "studio/widgets/home_clock.h"
 #include "studio/widgets/icons.h"
+#include "studio/widgets/slider_field.h"
 #include "studio/widgets/texts.h"
 
 namespace idap {
@@ -22,6 +23,8 @@ namespace idap {
 namespace {
 
 constexpr qulonglong kLive = ~0ull, kAbove = 0;
+constexpr int kClassic = 3;  // of the looks; the others are PictureTone
+constexpr double kApertures[] = {0, 8, 2.8, 1.4};
 constexpr int kSamples[] = {16, 64, 256};  // draft, good, best; then by time
 
 }  // namespace
@@ -34,10 +37,12 @@ struct PictureForm::Impl {
 
   QFormLayout* rows = nullptr;
   QListWidget* views = nullptr;
-  QComboBox *size = nullptr, *proportion = nullptr, *quality = nullptr, *look = nullptr, *lamps = nullptr;
+  QComboBox *size = nullptr, *proportion = nullptr, *quality = nullptr, *look = nullptr, *lamps = nullptr,
+            *sharpness = nullptr;
   QSpinBox *width = nullptr, *height = nullptr, *seconds = nullptr;
   QToolButton* turn = nullptr;
-  QCheckBox* ownTime = nullptr;
+  SliderField* brightness = nullptr;
+  QCheckBox *ownTime = nullptr, *upright = nullptr;
   QDateTimeEdit* time = nullptr;
   QLabel* trouble = nullptr;
   QPushButton* begin = nullptr;
@@ -69,6 +74,12 @@ void PictureForm::Impl::build() {
   quality = combo("pictureQuality");
   look = combo("pictureLook");
   lamps = combo("pictureLamps");
+  sharpness = combo("pictureSharpness");
+  brightness = new SliderField(-3, 3, 0.1, QString(), 1);
+  brightness->setObjectName(QStringLiteral("pictureBrightness"));
+  brightness->setValue(0);
+  upright = new QCheckBox;
+  upright->setObjectName(QStringLiteral("pictureUpright"));
   const auto pixels = [](const char* name, int value) {
     auto* made = new QSpinBox;
     made->setObjectName(QLatin1String(name));
@@ -123,6 +134,9 @@ void PictureForm::Impl::build() {
   row(QT_TRANSLATE_NOOP("idap", "&Quality"), quality);
   row(QT_TRANSLATE_NOOP("idap", "S&econds"), seconds);
   row(QT_TRANSLATE_NOOP("idap", "&Lamps"), lamps);
+  row(QT_TRANSLATE_NOOP("idap", "&Brightness"), brightness);
+  row(QT_TRANSLATE_NOOP("idap", "S&harpness"), sharpness);
+  rows->addRow(upright);
   rows->addRow(ownTime, time);
   column->addLayout(rows);
   column->addWidget(trouble);
@@ -142,7 +156,7 @@ void PictureForm::Impl::build() {
     update();
   });
   connect(look, &QComboBox::activated, &form, [this](int index) {
-    if (index != 1) return update();
+    if (index != kClassic) return update();
     const QSignalBlocker quietWidth(width), quietHeight(height);  // 1993's own size, to begin with
     width->setValue(320);
     height->setValue(200);
@@ -180,7 +194,19 @@ void PictureForm::Impl::fill() {
   const bool firstQuality = quality->count() == 0;
   refill(quality, {tr("Draft"), tr("Good"), tr("Best"), tr("By time")});
   if (firstQuality) quality->setCurrentIndex(1);
-  refill(look, {tr("Ray-traced light"), tr("Classic, as in 1993")});
+  refill(look, {tr("Ray-traced light"), tr("Ray-traced, like film"), tr("Brightness as colour"),
+                tr("Classic, as in 1993")});
+  look->setItemData(1, tr("Softer contrast; bright lights turn white"), Qt::ToolTipRole);
+  look->setItemData(2, tr("Blue is dark, green a middle grey, red as bright as the screen can show"),
+                    Qt::ToolTipRole);
+  refill(sharpness,
+         {tr("All is sharp"), tr("A little blur, f/8"), tr("Some blur, f/2.8"), tr("Much blur, f/1.4")});
+  sharpness->setToolTip(
+      tr("What is in the middle of the picture is sharp; what is nearer or farther is blurred"));
+  brightness->setToolTip(tr("In stops, as on a camera: each makes the picture twice as bright"));
+  upright->setText(tr("Keep &vertical lines vertical"));
+  upright->setToolTip(
+      tr("As with an architect's shift lens: walls do not lean when the view looks up or down"));
   refill(lamps, {tr("As in the home"), tr("All on"), tr("All off")});
   views->setToolTip(tr("Every point of view that is ticked becomes a picture"));
   views->setAccessibleName(tr("Points of view"));
@@ -247,6 +273,9 @@ void PictureForm::Impl::update() {
   size->setCurrentIndex(index);
   const bool byTime = quality->currentIndex() == 3;
   seconds->setEnabled(byTime);
+  const bool traced = look->currentIndex() != kClassic;
+  brightness->setEnabled(traced);
+  sharpness->setEnabled(traced);
   const QString why = form.problem();
   trouble->setText(why);
   trouble->setVisible(!why.isEmpty());
@@ -280,7 +309,11 @@ std::vector<PictureForm::Wanted> PictureForm::wanted() const {
   PictureSettings all;
   all.width = d.width->value();
   all.height = d.height->value();
-  all.classic = d.look->currentIndex() == 1;
+  all.classic = d.look->currentIndex() == kClassic;
+  all.tone = all.classic ? PictureTone::Neutral : PictureTone(std::max(0, d.look->currentIndex()));
+  all.brightness = all.classic ? 0 : d.brightness->value();
+  all.aperture = all.classic ? 0 : kApertures[std::size_t(std::max(0, d.sharpness->currentIndex()))];
+  all.upright = d.upright->isChecked();
   const int quality = d.quality->currentIndex();
   all.samples = quality >= 0 && quality < 3 ? kSamples[quality] : 0;
   if (all.classic) all.samples = std::min(all.samples, 16);  // no light to gather: only edges to smooth

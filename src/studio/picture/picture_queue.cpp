@@ -30,6 +30,10 @@ PictureRequest requestOf(Home home, std::shared_ptr<const Catalog> catalog, cons
   request.seconds = s.seconds;
   request.lamps = policyOf(s.lamps);
   request.classic = s.classic;
+  request.tone = s.tone;
+  request.brightness = s.brightness;
+  request.aperture = s.aperture;
+  request.upright = s.upright;
   request.keepLights = true;
   return request;
 }

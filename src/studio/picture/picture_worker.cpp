@@ -14,6 +14,7 @@
 #include "render/accel/compiled_scene.h"
 #include "render/denoise/denoise.h"
 #include "render/film/develop.h"
+#include "render/session/focus.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
 #include "scene/cut_away.h"
@@ -39,6 +40,12 @@ double secondsSince(Clock::time_point begin) {
 
 // A core is left to the window.
 int threadsToUse() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+
+render::ToneMap toneMapOf(PictureTone tone) {
+  return tone == PictureTone::Film         ? render::ToneMap::AgX
+         : tone == PictureTone::FalseColor ? render::ToneMap::FalseColor
+                                           : render::ToneMap::PbrNeutral;
+}
 
 // What is asked for, and how the asker reaches it while it is made.
 struct Job {
@@ -129,6 +136,9 @@ class Tracing {
     film_ = render::Film(request_.width, request_.height,
                          settings_.perLightGroupLayers ? int(built_.scene->lightGroups.size()) : 0);
     view_ = toRenderCamera(camera, built_, aspect_);
+    if (request_.upright && request_.camera) view_ = render::upright(view_);
+    if (request_.aperture > 0)
+      view_ = render::withAperture(*scene_, view_, static_cast<float>(request_.aperture));
     settings_.width = request_.width;
     settings_.height = request_.height;
     settings_.spp = request_.samples;
@@ -195,7 +205,10 @@ class Tracing {
 
   void show(const render::Film& film, bool fast) {
     if (job_.discarded) return;
-    render::DevelopSettings settings{.fastDenoise = fast, .threads = threads_};
+    render::DevelopSettings settings{.compensation = static_cast<float>(request_.brightness),
+                                     .toneMap = toneMapOf(request_.tone),
+                                     .fastDenoise = fast,
+                                     .threads = threads_};
     if (request_.classic) {
       settings.toneMap = render::ToneMap::Classic;
       settings.denoise = false;

@@ -24,6 +24,9 @@ struct PictureRequest {
   int samples = 64;     // a pixel; 0: by time only
   double seconds = 20;  // of tracing; 0: by samples only. Whichever comes first
   LampPolicy lamps = LampPolicy::Auto;
+  PictureTone tone = PictureTone::Neutral;
+  double brightness = 0, aperture = 0;  // see PictureSettings
+  bool upright = false;
   bool classic = false;     // the shading of 1993
   bool keepLights = false;  // each lamp's light by itself, where there is memory for it
   // All processors, for pictures that somebody waits for; else one is left to the window.

@@ -267,5 +267,32 @@ TEST_F(PictureWindowTest, LightsAreMixedKeptAndTakenOver) {
               part<QListWidget>("gallery")->item(0)->text().contains(QStringLiteral("other light")));
 }
 
+TEST_F(PictureWindowTest, LookBrightnessAndLensAreKeptWithThePicture) {
+  const auto choose = [&](const char* name, int row) {
+    auto* box = part<QComboBox>(name);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Home);
+    for (int i = 0; i < row; ++i) QTest::keyClick(box, Qt::Key_Down);
+  };
+  choose("pictureLook", 1);
+  choose("pictureSharpness", 2);
+  auto* slider = part<QWidget>("pictureBrightness")->findChild<QSlider*>();
+  slider->setFocus();
+  for (int i = 0; i < 10; ++i) QTest::keyClick(slider, Qt::Key_Right);
+  QTest::keyClick(part<QWidget>("pictureUpright"), Qt::Key_Space);
+  tick(0);
+  tick(1);
+  press("pictureBegin");
+  ASSERT_TRUE(done());
+  ASSERT_EQ(editor.home().pictures.size(), 1u);
+  const PictureSettings& made = editor.home().pictures.begin()->second->settings;
+  EXPECT_EQ(made.tone, PictureTone::Film);
+  EXPECT_EQ(made.aperture, 2.8);
+  EXPECT_NEAR(made.brightness, 1, 0.01);
+  EXPECT_TRUE(made.upright);
+  EXPECT_FALSE(made.classic);
+  shoot(*window, "picture_form");
+}
+
 }  // namespace
 }  // namespace idap
