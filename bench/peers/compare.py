@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Sets our path tracer beside Blender's Cycles on the same homes, and its own techniques beside each other.
 
-Usage: bench/peers/compare.py BUILD_FOLDER WORK_FOLDER HOME...
+Usage: bench/peers/compare.py [--without-cycles] BUILD_FOLDER WORK_FOLDER HOME...
 Needs Debian's blender and python3-numpy for Cycles; without them only our own figures are made. The machine
 should be idle: two threads are used for everything. References are kept in WORK_FOLDER and made once; they take
 about a quarter of an hour a home. Prints tables in Markdown.
@@ -33,9 +33,10 @@ def kept(picture, make):
 
 
 def main():
-    peer, work = pathlib.Path(sys.argv[1]) / "bench" / "bench_peer", pathlib.Path(sys.argv[2])
-    blender = shutil.which("blender")
-    for home in map(pathlib.Path, sys.argv[3:]):
+    words = [word for word in sys.argv[1:] if word != "--without-cycles"]
+    peer, work = pathlib.Path(words[0]) / "bench" / "bench_peer", pathlib.Path(words[1])
+    blender = shutil.which("blender") if len(words) == len(sys.argv) - 1 else None
+    for home in map(pathlib.Path, words[2:]):
         folder = work / home.stem
         folder.mkdir(parents=True, exist_ok=True)
         subprocess.run([peer, "scene", home, folder, "--size", SIZE], check=True)

@@ -5300,6 +5300,14 @@
         <source>The lamps of the home are as in the picture now</source>
         <translation>โคมไฟในบ้านเป็นเหมือนในภาพแล้ว</translation>
     </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>ความสว่าง(&amp;B)</translation>
+    </message>
+    <message>
+        <source>S&amp;harpness</source>
+        <translation>ความคมชัด(&amp;H)</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -7090,6 +7098,54 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>&amp;Ray Trace</source>
         <translation>เรนเดอร์(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ray-traced, like film</source>
+        <translation>ลำแสง แบบฟิล์ม</translation>
+    </message>
+    <message>
+        <source>Brightness as colour</source>
+        <translation>ความสว่างเป็นสี</translation>
+    </message>
+    <message>
+        <source>Softer contrast; bright lights turn white</source>
+        <translation>คอนทราสต์นุ่มลง แสงจ้ากลายเป็นสีขาว</translation>
+    </message>
+    <message>
+        <source>Blue is dark, green a middle grey, red as bright as the screen can show</source>
+        <translation>น้ำเงินคือมืด เขียวคือเทากลาง แดงคือสว่างเท่าที่จอแสดงได้</translation>
+    </message>
+    <message>
+        <source>All is sharp</source>
+        <translation>คมชัดทั้งภาพ</translation>
+    </message>
+    <message>
+        <source>A little blur, f/8</source>
+        <translation>เบลอเล็กน้อย f/8</translation>
+    </message>
+    <message>
+        <source>Some blur, f/2.8</source>
+        <translation>เบลอปานกลาง f/2.8</translation>
+    </message>
+    <message>
+        <source>Much blur, f/1.4</source>
+        <translation>เบลอมาก f/1.4</translation>
+    </message>
+    <message>
+        <source>What is in the middle of the picture is sharp; what is nearer or farther is blurred</source>
+        <translation>สิ่งที่อยู่กลางภาพคมชัด สิ่งที่ใกล้หรือไกลกว่าจะเบลอ</translation>
+    </message>
+    <message>
+        <source>In stops, as on a camera: each makes the picture twice as bright</source>
+        <translation>เป็นสต็อปเหมือนกล้อง แต่ละสต็อปทำให้ภาพสว่างขึ้นเท่าตัว</translation>
+    </message>
+    <message>
+        <source>Keep &amp;vertical lines vertical</source>
+        <translation>ให้เส้นตั้งตรงเสมอ(&amp;V)</translation>
+    </message>
+    <message>
+        <source>As with an architect&apos;s shift lens: walls do not lean when the view looks up or down</source>
+        <translation>เหมือนเลนส์ชิฟต์ของสถาปนิก ผนังไม่เอียงเมื่อมองขึ้นหรือลง</translation>
     </message>
 </context>
 <context>
