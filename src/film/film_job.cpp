@@ -10,6 +10,7 @@
 #include "render/denoise/denoise.h"
 #include "render/film/develop.h"
 #include "render/film/exposure.h"
+#include "render/session/fill_cache.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
 #include "scene/cut_away.h"
@@ -19,12 +20,14 @@ namespace idap {
 
 namespace {
 
-constexpr double kDissolve = 0.5;     // s, from one take to the next
-constexpr double kMeterEvery = 0.2;   // s of a walk between measurements of the light
-constexpr int kMeterDay = 48;         // measurements in a day
-constexpr double kAdaptation = 0.7;   // s of a walk over which the exposure follows
-constexpr double kMeterShare = 0.04;  // of the progress
-constexpr int kStillSamples = 3;      // times as many samples where the camera stands
+constexpr double kDissolve = 0.5;        // s, from one take to the next
+constexpr double kMeterEvery = 0.2;      // s of a walk between measurements of the light
+constexpr int kMeterDay = 48;            // measurements in a day
+constexpr double kAdaptation = 0.7;      // s of a walk over which the exposure follows
+constexpr double kMeterShare = 0.04;     // of the progress
+constexpr std::size_t kCacheViews = 24;  // of a walk, that its light is learned from
+constexpr int kCachePaths = 24'000;      // from each of them
+constexpr int kStillSamples = 3;         // times as many samples where the camera stands
 
 class FilmMaker {
  public:
@@ -98,6 +101,8 @@ class FilmMaker {
     scene_ = std::move(scene);
     built_ = std::move(built);
     time_ = camera.time;
+    render_.cache = nullptr;
+    cached_ = false;
   }
 
   render::Camera seen(const Camera& camera) const {
@@ -139,6 +144,17 @@ class FilmMaker {
     return render::toImage(color, settings_.width, settings_.height, render::ToneMap::PbrNeutral);
   }
 
+  // One cache for the whole walk: a new one for every frame would make the light flicker.
+  void fillCache() {
+    std::vector<render::Camera> cameras;
+    const std::size_t step = std::max<std::size_t>(1, plan_.frames.size() / kCacheViews);
+    for (std::size_t i = 0; i < plan_.frames.size(); i += step)
+      if (plan_.frames[i].time == time_) cameras.push_back(seen(plan_.frames[i]));
+    const int paths = kCachePaths * static_cast<int>(cameras.size());
+    render_.cache = render::fillCache(*scene_, cameras, render_, paths, progress_);
+    cached_ = true;
+  }
+
   // Radiance, without noise. Frames that show the same are traced once.
   const std::vector<Rgb>& traced(std::size_t number, const MeteredLight& light) {
     const Camera& camera = plan_.frames[number];
@@ -149,6 +165,7 @@ class FilmMaker {
     // The same seed for all: what noise is left stays in its place instead of dancing.
     render_.spp = settings_.samples * (still(number) ? kStillSamples : 1);
     render_.clampIndirect = render::clampFor(light.ev);
+    if (!plan_.day && !cached_) fillCache();
     render::render(*scene_, seen(camera), render_, film_, progress_);
     progress_.check();
     next_ = (next_ + 1) % 2;
@@ -168,6 +185,7 @@ class FilmMaker {
   std::unique_ptr<render::CompiledScene> scene_;
   std::optional<std::int64_t> time_;
   render::RenderSettings render_;
+  bool cached_ = false;
   render::Film film_;
   render::Denoiser denoiser_;
   std::vector<LightCurve> curves_;  // one a take

@@ -21,8 +21,15 @@ constexpr int kEighths[] = {1, 1, 2, 4};  // of the paths, pass by pass
 std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, const Camera& camera,
                                             const RenderSettings& settings, int paths,
                                             const Progress& progress) {
-  if (settings.integrator != IntegratorKind::Path || paths < 8) return nullptr;
-  const CameraRays rays(camera, settings.width, settings.height);
+  return fillCache(scene, std::span(&camera, 1), settings, paths, progress);
+}
+
+std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, std::span<const Camera> cameras,
+                                            const RenderSettings& settings, int paths,
+                                            const Progress& progress) {
+  if (settings.integrator != IntegratorKind::Path || paths < 8 || cameras.empty()) return nullptr;
+  std::vector<CameraRays> rays;
+  for (const Camera& camera : cameras) rays.emplace_back(camera, settings.width, settings.height);
   std::shared_ptr<const LightCache> cache;
   std::vector<CacheRecord> records;
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
@@ -40,8 +47,8 @@ std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, const Ca
         for (int i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
           Sampler sampler(i & 0xffff, i >> 16, 0, 0, seed);
           const Vec2f u = sampler.get2D();
-          const auto ray =
-              rays.at({u.x * static_cast<float>(settings.width), u.y * static_cast<float>(settings.height)});
+          const auto ray = rays[static_cast<std::size_t>(i) % rays.size()].at(
+              {u.x * static_cast<float>(settings.width), u.y * static_cast<float>(settings.height)});
           if (ray) tracer.learn(*ray, sampler, part);
         }
       });

@@ -1,7 +1,8 @@
-// Fills a cache of bounced light for one point of view.
+// Fills a cache of light for one point of view, or for several of the same scene.
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "base/progress.h"
 #include "render/cache/light_cache.h"
@@ -13,6 +14,10 @@ namespace idap::render {
 // equal caches on any number of threads. Null where nothing was found or the settings ask for the classic
 // integrator. Throws Cancelled.
 std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, const Camera& camera,
+                                            const RenderSettings& settings, int paths,
+                                            const Progress& progress = {});
+// The same for a walk: paths begin at all the cameras in turn.
+std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, std::span<const Camera> cameras,
                                             const RenderSettings& settings, int paths,
                                             const Progress& progress = {});
 

@@ -100,7 +100,7 @@ TEST(FillCache, CanBeBrokenOff) {
   const auto scene = whiteRoom();
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(fillCache(*scene, {}, {.width = 16, .height = 16}, 10'000, progress), Cancelled);
+  EXPECT_THROW(fillCache(*scene, Camera{}, {.width = 16, .height = 16}, 10'000, progress), Cancelled);
 }
 
 }  // namespace
