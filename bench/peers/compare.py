@@ -7,6 +7,7 @@ should be idle: two threads are used for everything. References are kept in WORK
 about a quarter of an hour a home. Prints tables in Markdown.
 """
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -17,7 +18,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def run(*words):
-    done = subprocess.run([str(w) for w in words], capture_output=True, text=True)
+    # Debian's Blender wants Debian's Python, whatever else stands first in the path.
+    done = subprocess.run([str(w) for w in words], capture_output=True, text=True,
+                          env={**os.environ, "PATH": "/usr/bin:/bin"})
     lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
     if not lines:
         sys.exit(f"{' '.join(map(str, words))}: {done.stderr[-500:]}")
