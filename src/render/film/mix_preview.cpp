@@ -61,7 +61,8 @@ MixPreview::MixPreview(const Film& film, std::vector<LightGroup> groups, std::si
   for (const double sum : sums) shares_.push_back(all > 0 ? static_cast<float>(sum / all) : 0.0f);
 }
 
-Image8 MixPreview::picture(const std::vector<LightChange>& changes, ToneMap toneMap) const {
+Image8 MixPreview::picture(const std::vector<LightChange>& changes, ToneMap toneMap,
+                           float compensation) const {
   std::vector<Rgb> color(film_.pixels());
   for (std::size_t g = 0; g < film_.groups.size(); ++g) {
     const Rgb factor = mixFactor(groups_[g], g < changes.size() ? changes[g] : LightChange{});
@@ -70,7 +71,7 @@ Image8 MixPreview::picture(const std::vector<LightChange>& changes, ToneMap tone
   }
   const float share = DevelopSettings{}.whiteBalance;
   const WhiteBalance balance(illuminant_, share);
-  const float gain = exposureMultiplier(ev_);
+  const float gain = exposureMultiplier(ev_ - compensation);
   for (Rgb& c : color) c = balance(c) * gain;
   return toImage(color, film_.width, film_.height, toneMap);
 }

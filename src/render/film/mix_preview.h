@@ -15,8 +15,10 @@ class MixPreview {
   MixPreview(const Film& film, std::vector<LightGroup> groups, std::size_t mostPixels = 200'000,
              const Progress& progress = {});
 
-  // The mix, exposed and white-balanced as the picture was. See mixed() for changes.
-  Image8 picture(const std::vector<LightChange>& changes, ToneMap toneMap = ToneMap::PbrNeutral) const;
+  // The mix, exposed and white-balanced as the picture was; compensation: stops on top, as
+  // DevelopSettings::compensation. See mixed() for changes.
+  Image8 picture(const std::vector<LightChange>& changes, ToneMap toneMap = ToneMap::PbrNeutral,
+                 float compensation = 0) const;
 
   const std::vector<LightGroup>& groups() const { return groups_; }
   // What of the picture's light each group makes, 0..1.

@@ -196,7 +196,8 @@ void LightMixer::Impl::show() {
   reset->setEnabled(changed);
   keep->setEnabled(changed);
   takeOver->setEnabled(!mixer.lampChanges().empty());
-  emit mixer.previewed(toQImage(preview->picture(mixer.changes())));
+  emit mixer.previewed(
+      toQImage(preview->picture(mixer.changes(), film->look.toneMap, film->look.compensation)));
 }
 
 LightMixer::LightMixer(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(*this)) {

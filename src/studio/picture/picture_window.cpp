@@ -253,7 +253,8 @@ void PictureWindow::Impl::keepMix() {
   runInBackground<Bytes>(
       &window, tr("Keeping the mix"),
       [film, changes = mixer->changes()](const Progress& progress) {
-        render::DevelopSettings settings{.progress = &progress};
+        render::DevelopSettings settings = film->look;
+        settings.progress = &progress;
         settings.ev = render::autoExposure(film->film);
         settings.illuminant = render::estimateIlluminant(film->film);
         const render::Film mixed = render::mixed(film->film, film->lightGroups, changes);

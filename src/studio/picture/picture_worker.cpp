@@ -105,6 +105,8 @@ class Tracing {
 
   void make() {
     report_.progressed(0, -1);
+    made_->look.compensation = static_cast<float>(request_.brightness);
+    made_->look.toneMap = toneMapOf(request_.tone);
     build();
     showCoarse();
     refine();
@@ -205,10 +207,9 @@ class Tracing {
 
   void show(const render::Film& film, bool fast) {
     if (job_.discarded) return;
-    render::DevelopSettings settings{.compensation = static_cast<float>(request_.brightness),
-                                     .toneMap = toneMapOf(request_.tone),
-                                     .fastDenoise = fast,
-                                     .threads = threads_};
+    render::DevelopSettings settings = made_->look;
+    settings.fastDenoise = fast;
+    settings.threads = threads_;
     if (request_.classic) {
       settings.toneMap = render::ToneMap::Classic;
       settings.denoise = false;

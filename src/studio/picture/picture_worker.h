@@ -9,6 +9,7 @@
 
 #include "catalog/catalog.h"
 #include "model/home.h"
+#include "render/film/develop.h"
 #include "render/film/film.h"
 #include "render/light_group.h"
 #include "scene/scene_builder.h"
@@ -38,6 +39,7 @@ struct PictureFilm {
   render::Film film;
   std::vector<render::LightGroup> lightGroups;
   std::vector<FurnitureId> lamps;  // by light group, as BuiltScene::lamps
+  render::DevelopSettings look;    // how the picture was developed from it
 };
 
 // Belongs to the GUI thread; so do its signals.

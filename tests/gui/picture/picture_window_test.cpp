@@ -291,6 +291,11 @@ TEST_F(PictureWindowTest, LookBrightnessAndLensAreKeptWithThePicture) {
   EXPECT_NEAR(made.brightness, 1, 0.01);
   EXPECT_TRUE(made.upright);
   EXPECT_FALSE(made.classic);
+  // A mix of its lights is developed as the picture was.
+  const auto film = window->queue().filmOf(editor.home().pictures.begin()->first);
+  ASSERT_NE(film, nullptr);
+  EXPECT_EQ(film->look.toneMap, render::ToneMap::AgX);
+  EXPECT_NEAR(film->look.compensation, 1, 0.01);
   shoot(*window, "picture_form");
 }
 

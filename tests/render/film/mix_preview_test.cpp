@@ -30,6 +30,7 @@ TEST(MixPreview, ALampSwitchedOffIsDarkOnItsSide) {
   const Image8 all = preview.picture({}), without = preview.picture({{}, {.strength = 0}});
   EXPECT_LT(without.pixel(60, 16)[1], all.pixel(60, 16)[1] / 2);
   EXPECT_NEAR(without.pixel(2, 16)[1], all.pixel(2, 16)[1], 12);
+  EXPECT_GT(preview.picture({}, ToneMap::PbrNeutral, 1).pixel(30, 16)[1], all.pixel(30, 16)[1]);
   EXPECT_NEAR(preview.shares()[0] + preview.shares()[1], 1, 1e-5f);
 }
 
