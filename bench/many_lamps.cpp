@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "box_mesh.h"
 #include "render/accel/compiled_scene.h"
 #include "render/denoise/denoise.h"
 #include "render/session/render_job.h"
@@ -18,15 +19,6 @@ using namespace idap::render;
 using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-Mesh box(Vec3f a, Vec3f b) {
-  Mesh m;
-  for (unsigned i = 0; i < 8; ++i)
-    m.positions.push_back({i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z});
-  m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return m;
-}
 
 // 16 x 12 x 3 m with partition walls and tables; the lamps on a grid under the ceiling.
 std::shared_ptr<const Scene> hall(int lamps) {

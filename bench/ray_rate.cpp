@@ -13,6 +13,7 @@
 #include <iterator>
 #include <vector>
 
+#include "box_mesh.h"
 #include "render/accel/compiled_scene.h"
 #include "render/session/render_job.h"
 
@@ -42,15 +43,6 @@ Mesh vase(float radius, float height, int rings, int sectors, float waves) {
       m.triangles.push_back({a + 1, b + 1, b});
     }
   computeSmoothNormals(m, 1.0f);
-  return m;
-}
-
-Mesh box(Vec3f a, Vec3f b) {
-  Mesh m;
-  for (unsigned i = 0; i < 8; ++i)
-    m.positions.push_back({i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z});
-  m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return m;
 }
 

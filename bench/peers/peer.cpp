@@ -27,6 +27,7 @@
 #include "render/denoise/denoise.h"
 #include "render/film/develop.h"
 #include "render/film/exposure.h"
+#include "render/film/noise_estimate.h"
 #include "render/film/picture_file.h"
 #include "render/session/fill_cache.h"
 #include "render/session/pilot.h"
@@ -202,7 +203,7 @@ int renderScene(const Arguments& a) {
                {"render_s", rendered},
                {"denoise_s", denoised},
                {"spp", static_cast<double>(stats.paths) / static_cast<double>(film.pixels())},
-               {"noise", stats.noise},
+               {"noise", render::noiseLevel(film)},
                {"paths_per_s", static_cast<double>(stats.paths) / rendered},
                {"rays_per_s", static_cast<double>(stats.rays) / rendered}};
   fmt::print("{}\n", j.dump());

@@ -21,6 +21,7 @@
 #include "cli/usage_error.h"
 #include "render/accel/compiled_scene.h"
 #include "render/film/develop.h"
+#include "render/film/noise_estimate.h"
 #include "render/film/picture_file.h"
 #include "render/session/fill_cache.h"
 #include "render/session/pilot.h"
@@ -142,7 +143,6 @@ int renderPicture(const Options& options) {
   if (options.quick && !classic) {
     // Learning takes about a sixth of the time.
     const double paths = options.time > 0 ? 50'000 * options.time : 0.15 * settings.spp * width * height;
-    settings.perLightGroupLayers = false;
     settings.cache =
         render::fillCache(scene, view, settings, static_cast<int>(std::clamp(paths, 24e3, 6e5)), progress);
   }
@@ -155,8 +155,7 @@ int renderPicture(const Options& options) {
     const double left = options.time > 0 ? options.time - stats.seconds : 1e300;
     settings.timeLimitSeconds = kind == PictureKind::Exr ? std::min(left, kSaveEvery) : options.time;
     const render::RenderStats slice = render::render(scene, view, settings, film, progress);
-    stats = {stats.seconds + slice.seconds, stats.paths + slice.paths, stats.rays + slice.rays, slice.spp,
-             slice.noise};
+    stats = {stats.seconds + slice.seconds, stats.paths + slice.paths, stats.rays + slice.rays, slice.spp};
     more = kind == PictureKind::Exr && !progress.cancelled() && left > kSaveEvery && slice.paths > 0 &&
            (settings.spp == 0 || film.samples < settings.spp) &&
            !(options.noise > 0 && slice.seconds < 0.9 * kSaveEvery);
@@ -188,7 +187,7 @@ int renderPicture(const Options& options) {
                                       {"width", width},
                                       {"height", height},
                                       {"spp", stats.spp},
-                                      {"noise", stats.noise},
+                                      {"noise", classic ? 0.0f : render::noiseLevel(film)},
                                       {"paths", stats.paths},
                                       {"rays", stats.rays},
                                       {"triangles", built.triangles},

@@ -52,14 +52,14 @@ std::vector<float> noiseEstimate(const Film& film) {
   return estimate;
 }
 
-float quantile(std::vector<float> values, double share) {
-  if (values.empty()) return 0;
-  const auto at =
-      static_cast<std::ptrdiff_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(values.size() - 1));
-  for (float& v : values)
+float noiseLevel(const Film& film) {
+  if (film.samples < 2) return 0;
+  std::vector<float> noise = noiseEstimate(film);
+  for (float& v : noise)
     if (!(v >= 0)) v = 0;
-  std::ranges::nth_element(values, values.begin() + at);
-  return values[static_cast<std::size_t>(at)];
+  const auto at = noise.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(noise.size() - 1));
+  std::ranges::nth_element(noise, at);
+  return *at;
 }
 
 }  // namespace idap::render

@@ -13,7 +13,7 @@ namespace idap::render {
 // as the pixel's own, or more). Infinite where nothing is known.
 std::vector<float> noiseEstimate(const Film& film);
 
-// The value that a share of 0..1 of the pixels stay under.
-float quantile(std::vector<float> values, double share);
+// What 95 of 100 pixels stay under; 0 for a film of fewer than two samples a pixel, of which it is not known.
+float noiseLevel(const Film& film);
 
 }  // namespace idap::render

@@ -223,15 +223,16 @@ void PathTracer::lookOut(Walk& walk, const Bsdf& bsdf, const Receiver& here, flo
   if (at.smooth) value *= terminator(at, wi);
   if (!(maxComponent(value) > 0)) return;
   const Outlook::Seen seen = Outlook::look(scene_, at.originTowards(wi), wi, onSun, walk.out.rays);
-  const auto add = [&](Rgb light, std::uint16_t group) {
+  const auto add = [&](Rgb light, std::uint16_t group, bool indirect) {
     if (!(maxComponent(light) > 0)) return;
     light *= value;
-    if (options_.clampIndirect > 0)
+    if (options_.clampIndirect > 0 && indirect)
       light *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
     walk.add(light, group);
   };
-  add(seen.sky, 0);
-  if (options_.lightSampling == LightSampling::Both) add(seen.sun, scene_.lights().daylight().sunGroup());
+  add(seen.sky, 0, walk.bounces > 0);
+  if (options_.lightSampling == LightSampling::Both)
+    add(seen.sun, scene_.lights().daylight().sunGroup(), true);
 }
 
 // Ends the path with what is known of the light here. False where that is not enough.

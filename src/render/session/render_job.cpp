@@ -75,8 +75,7 @@ class Job {
       done = next;
     }
     film_.samples = static_cast<int>(*std::ranges::min_element(film_.weight));
-    const float noise = film_.samples > 1 ? quantile(noiseEstimate(film_), 0.95) : 0.0f;
-    return {seconds(), paths_.load(), traced_.load(), film_.samples, noise};
+    return {seconds(), paths_.load(), traced_.load(), film_.samples};
   }
 
  private:

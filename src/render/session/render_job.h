@@ -40,7 +40,6 @@ struct RenderStats {
   std::uint64_t paths = 0;  // begun at the camera
   std::uint64_t rays = 0;   // nearest-hit and shadow rays; not counted by the classic integrator
   int spp = 0;              // the least that any pixel has
-  float noise = 0.0f;  // the error that 95 of 100 pixels stay under, as RenderSettings::noise; 0: not known
 };
 
 // Adds samples to the film, which must have the settings' size (RenderError otherwise), until every pixel has
