@@ -2,7 +2,8 @@
 // thread, then has bare Embree trace the very same rays (nearest hits and shadow rays, in the same order),
 // and prints both rates and their ratio. Also the same by kind of ray for the renderer's own way of tracing
 // (the surface point with its normals and texture coordinates; what glass lets by) without any shading.
-// Usage: bench_ray_rate [samples a pixel]
+// Usage: bench_ray_rate [samples a pixel] [HOME...]; without a home, a made-up room by day and in the
+// evening.
 #include <embree3/rtcore.h>
 
 #include <algorithm>
@@ -14,8 +15,11 @@
 #include <vector>
 
 #include "box_mesh.h"
+#include "catalog/catalog.h"
+#include "formats/registry.h"
 #include "render/accel/compiled_scene.h"
 #include "render/session/render_job.h"
+#include "scene/scene_builder.h"
 
 namespace {
 
@@ -182,8 +186,9 @@ void measureKind(const char* name, const CompiledScene& compiled, const std::vec
               static_cast<double>(rays.size()) / 1e6, 100 * bare / own);
 }
 
-void measure(const char* name, const std::shared_ptr<const Scene>& scene, const Camera& camera, int spp) {
-  CompiledScene compiled(scene);
+void measure(const char* name, const std::shared_ptr<const Scene>& scene, const idap::render::Camera& camera,
+             int spp) {
+  CompiledScene compiled(scene, 0, nullptr, BvhLevels::One);
   const CompileStats& build = compiled.stats();
   std::printf("%s: %.0f k triangles (%.0f k instanced), built in %.3f s, %.1f MB\n", name,
               static_cast<double>(build.uniqueTriangles) / 1e3,
@@ -222,14 +227,30 @@ void measure(const char* name, const std::shared_ptr<const Scene>& scene, const 
   measureKind("shadow", compiled, log, [](const LoggedRay& ray) { return ray.shadow; });
 }
 
+// As it is seen from its first point of view.
+void measureHome(const char* file, int spp) {
+  const Home home = readHome(file).home;
+  const Catalog catalog;
+  idap::Camera camera;
+  if (!home.cameras.empty()) camera = *home.cameras.begin()->second;
+  BuildOptions options;
+  options.time = camera.time;
+  const BuiltScene built = buildScene(home, catalog, options);
+  measure(file, built.scene, toRenderCamera(camera, built, 4.0 / 3), spp);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const int spp = argc > 1 ? std::max(1, std::atoi(argv[1])) : 4;
-  Camera camera;
+  idap::render::Camera camera;
   camera.eye = {2.6f, -2.2f, 1.5f};
   camera.forward = normalized(Vec3f{-1, 0.85f, -0.15f});
   camera.up = normalized(cross(cross(camera.forward, Vec3f{0, 0, 1}), camera.forward));
+  if (argc > 2) {
+    for (int i = 2; i < argc; ++i) measureHome(argv[i], spp);
+    return 0;
+  }
   measure("furnished room by day", furnishedRoom(false), camera, spp);
   measure("furnished room in the evening", furnishedRoom(true), camera, spp);
   return 0;

@@ -13,7 +13,7 @@ import shutil
 import subprocess
 import sys
 
-SIZE, CYCLES_SAMPLES, CYCLES_REFERENCE, OUR_REFERENCE = "160x120", 256, 6144, 3072
+SIZE, CYCLES_SAMPLES, CYCLES_REFERENCE, OUR_REFERENCE = "160x120", 256, 4096, 3072
 HERE = pathlib.Path(__file__).resolve().parent
 
 

@@ -133,6 +133,30 @@ for material in bpy.data.materials:
     elif material.get("pane"):
         pane(material)
 
+
+
+def bulb(lamp):
+    """What the camera sees of a lamp, which Cycles does not show: a ball that only adds its light to the picture."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32, radius=lamp["radius"], location=lamp["position"])
+    ball = bpy.context.object
+    material = bpy.data.materials.new("bulb")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    glow, clear = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeBsdfTransparent")
+    add, output = tree.nodes.new("ShaderNodeAddShader"), tree.nodes.new("ShaderNodeOutputMaterial")
+    strongest = max(lamp["intensity"])
+    glow.inputs["Color"].default_value = [c / strongest for c in lamp["intensity"]] + [1]
+    # A ray meets the ball twice.
+    glow.inputs["Strength"].default_value = 0.5 * strongest / (math.pi * lamp["radius"] ** 2)
+    tree.links.new(glow.outputs[0], add.inputs[0])
+    tree.links.new(clear.outputs[0], add.inputs[1])
+    tree.links.new(add.outputs[0], output.inputs["Surface"])
+    ball.data.materials.append(material)
+    for kind in ("diffuse", "glossy", "transmission", "volume_scatter", "shadow"):
+        setattr(ball, "visible_" + kind, False)
+
+
 for lamp in scene_file["lamps"]:
     strongest = max(lamp["intensity"])
     if strongest <= 0:
@@ -146,6 +170,8 @@ for lamp in scene_file["lamps"]:
         light.spot_size = min(2 * lamp["beamAngle"], math.pi)
         light.spot_blend = 1.0
     place("lamp", light, lamp["position"], lamp["axis"], (0, 1, 0))
+    if kind == "POINT" and lamp["radius"] > 0:
+        bulb(lamp)
 sun = scene_file["sun"]
 strongest = max(sun["illuminance"])
 if strongest > 0:
@@ -197,6 +223,9 @@ cycles.use_denoising = "denoise" in words
 cycles.sample_clamp_indirect = 0.0
 cycles.sample_clamp_direct = 0.0
 cycles.blur_glossy = 0.0
+if scene_file["matte"]:  # each pixel by itself, so that blocks of pixels can be set beside each other
+    cycles.pixel_filter_type = "BOX"
+    cycles.filter_width = 1.0
 cycles.light_sampling_threshold = 0.0
 cycles.max_bounces = bounces
 cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = bounces

@@ -59,7 +59,7 @@ Arguments parse(int argc, char** argv) {
     const std::string word = argv[i];
     if (word.starts_with("--")) {
       const bool flag = word == "--matte" || word == "--denoise" || word == "--clamp" ||
-                        word == "--no-looks" || word == "--without-lamps";
+                        word == "--no-looks" || word == "--two-levels" || word == "--without-lamps";
       a.options[word.substr(2)] = flag || i + 1 >= argc ? "" : argv[++i];
     } else {
       a.files.push_back(word);
@@ -167,7 +167,8 @@ int renderScene(const Arguments& a) {
     return std::chrono::duration<double>(Clock::now() - since).count();
   };
   auto start = Clock::now();
-  const render::CompiledScene scene(p.built.scene);
+  const render::CompiledScene scene(p.built.scene, 0, nullptr,
+                                    a.has("two-levels") ? render::BvhLevels::Two : render::BvhLevels::One);
   const double compiled = seconds(start);
   render::RenderSettings settings;
   settings.width = p.width, settings.height = p.height;
@@ -176,6 +177,7 @@ int renderScene(const Arguments& a) {
   settings.noise = static_cast<float>(a.number("noise", 0));
   settings.threads = static_cast<int>(a.number("threads", 0));
   settings.looks = !a.has("no-looks");
+  if (a.has("matte")) settings.filter = render::PixelFilter::Box;
   settings.seed = static_cast<std::uint64_t>(a.number("seed", 0));
   if (a.has("clamp"))
     settings.clampIndirect = render::clampFor(render::pilotExposure(scene, p.camera, settings));

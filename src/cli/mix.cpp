@@ -74,8 +74,9 @@ std::vector<render::LightChange> changesOf(const Options& options, const render:
 int mix(const Options& options) {
   const render::Layers layers = render::loadLayers(options.input);
   if (layers.film.groups.empty())
-    throw IoError(options.input +
-                  ": keeps no light by itself; 'idap render HOME -o picture.exr' writes one that does");
+    throw IoError(
+        options.input +
+        ": keeps no light by itself; 'idap render HOME -o picture.exr --light-groups' writes one that does");
   if (options.output.empty()) {
     if (!options.changes.empty()) throw UsageError("-o OUT: say where the mixed picture is to go");
     list(layers, options.json);
@@ -115,8 +116,9 @@ Job describeMix(CLI::App& app) {
       ->type_name("EV");
   app.add_flag("--adapt", options->adapt,
                "Choose exposure and white for the mix instead of keeping the picture's");
-  app.add_option("--tone", options->tone, "Tone curve: neutral, agx, classic or linear")
-      ->check(CLI::IsMember({"neutral", "agx", "classic", "linear"}));
+  app.add_option("--tone", options->tone,
+                 "Tone curve: neutral, agx, classic or linear; false: brightness as colour, in stops")
+      ->check(CLI::IsMember({"neutral", "agx", "classic", "linear", "false"}));
   app.add_option("--threads", options->threads, "Processors to use (all)")->check(CLI::Range(1, 1024));
   app.add_flag("--no-denoise", options->noDenoise, "Leave the noise in");
   app.add_flag("--json", options->json, "List the lights as JSON");

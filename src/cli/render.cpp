@@ -40,6 +40,7 @@ struct Options {
   double time = 0, noise = 0;
   std::optional<double> clouds;
   bool noDenoise = false, quick = false, cutAway = false, resume = false, json = false;
+  bool lightGroups = false, noLightGroups = false;
 };
 
 class Stopwatch {
@@ -55,6 +56,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+constexpr std::size_t kMostUnaskedGroups = 64;  // lights kept apart where nobody asked for it
 constexpr double kSaveEvery = 60;  // s of tracing between two files of a picture that is being made
 
 // What a picture shows, in words: of the same words one can be taken up again.
@@ -63,10 +65,12 @@ std::string wordsFor(const Options& options, const Camera& camera, const BuildOp
   for (const std::byte byte : readFile(options.input, std::size_t{1} << 31))
     hash = (hash ^ static_cast<std::uint64_t>(byte)) * 1'099'511'628'211u;
   return fmt::format(
-      "home {:x}, eye {} {} {}, view {} {} {}, lens {}, time {}, lamps {}, clouds {}, cut {}, {}, {}", hash,
-      camera.eye.x, camera.eye.y, camera.eye.z, camera.yaw, camera.pitch, camera.fieldOfView,
+      "home {:x}, eye {} {} {}, view {} {} {}, lens {}, time {}, lamps {}, clouds {}, cut {}, {}, {}, "
+      "sampling {}",
+      hash, camera.eye.x, camera.eye.y, camera.eye.z, camera.yaw, camera.pitch, camera.fieldOfView,
       static_cast<int>(camera.lens), build.time.value_or(0), options.lamps, build.cloudiness.value_or(-1),
-      cut, options.integrator, options.quick ? options.look.words() + " quick" : options.look.words());
+      cut, options.integrator, options.quick ? options.look.words() + " quick" : options.look.words(),
+      render::kSamplingVersion);
 }
 
 // Into an empty film, what was made of it before. Nothing there yet is no error: it is begun then.
@@ -77,7 +81,8 @@ void takeUp(render::Film& film, const std::string& made, const std::string& file
   if (before.made != made || before.film.width != film.width || before.film.height != film.height ||
       before.film.groups.size() != film.groups.size())
     throw IoError(file +
-                  ": was made of another home, view or size and cannot be gone on with; leave out --resume "
+                  ": was made of another home, view or size, or by another version of the program, and "
+                  "cannot be gone on with; leave out --resume "
                   "to make it anew, or choose another name");
   film = std::move(before.film);
 }
@@ -88,6 +93,11 @@ int renderPicture(const Options& options) {
   options.look.check(kind);
   if (options.resume && kind != PictureKind::Exr)
     throw UsageError("--resume goes on with an OpenEXR picture: let -o end in .exr");
+  if (options.lightGroups && kind != PictureKind::Exr)
+    throw UsageError("--light-groups: only an OpenEXR picture keeps lights apart; let -o end in .exr");
+  if (options.lightGroups && options.quick)
+    throw UsageError(
+        "--light-groups: the cache of --quick does not know whose light it holds; leave one of them out");
   render::Film::requireSize(width, height);  // before anybody waits for the home
   requireWritable(options.output);
   const bool classic = options.integrator == "classic";
@@ -119,7 +129,7 @@ int renderPicture(const Options& options) {
   const BuiltScene built = buildScene(home, catalog, build, progress);
   warnings.add(built.warnings);
   const double buildMs = watch.lapMilliseconds();
-  render::CompiledScene scene(built.scene, options.threads);
+  render::CompiledScene scene(built.scene, options.threads, nullptr, render::BvhLevels::One);
   if (cut) cutAway(scene, built, camera.eye);
   progress.check();
   const double bvhMs = watch.lapMilliseconds();
@@ -134,7 +144,8 @@ int renderPicture(const Options& options) {
   settings.threads = options.threads;
   settings.integrator = classic ? render::IntegratorKind::Classic : render::IntegratorKind::Path;
   settings.perLightGroupLayers =
-      kind == PictureKind::Exr && !options.quick && built.scene->lightGroups.size() <= 64;
+      kind == PictureKind::Exr && !options.quick && !options.noLightGroups &&
+      (options.lightGroups || built.scene->lightGroups.size() <= kMostUnaskedGroups);
   render::Film film(width, height,
                     settings.perLightGroupLayers ? static_cast<int>(built.scene->lightGroups.size()) : 0);
   options.look.apply(settings);
@@ -239,6 +250,13 @@ Job describeRender(CLI::App& app) {
   app.add_flag(
       "--resume", options->resume,
       "Go on with the .exr that is there, up to --spp or for --time more; begin it where there is none");
+  CLI::Option* apart = app.add_flag(
+      "--light-groups", options->lightGroups,
+      "Keep a layer for each lamp, the sun and the sky, for 'idap mix'; an .exr does anyway where there "
+      "are at most 64");
+  app.add_flag("--no-light-groups", options->noLightGroups,
+               "Keep no such layers: smaller and a little faster")
+      ->excludes(apart);
   app.add_flag("--cut-away", options->cutAway,
                "From outside: without the ceilings and the walls that are in the way");
   app.add_flag("--quick", options->quick,

@@ -96,7 +96,9 @@ class FilmMaker {
     options.ceilings = !outside;
     if (!scene_) progress_.report(0, "building");
     BuiltScene built = buildScene(plan_.home, catalog_, options, progress_, &memory_);
-    auto scene = std::make_unique<render::CompiledScene>(built.scene, settings_.threads, scene_.get());
+    auto scene =
+        std::make_unique<render::CompiledScene>(built.scene, settings_.threads, scene_.get(),
+                                                plan_.day ? render::BvhLevels::Two : render::BvhLevels::One);
     if (outside) cutAway(*scene, built, camera.eye);
     scene_ = std::move(scene);
     built_ = std::move(built);

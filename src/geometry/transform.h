@@ -5,7 +5,7 @@
 
 namespace idap {
 
-template <std::floating_point T>
+template <class T>
 struct TransformT {
   Vec3T<T> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  // images of the axes
   Vec3T<T> origin{};

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <numbers>
 
 namespace idap {
 
 inline constexpr double kPi = std::numbers::pi;
 
-template <std::floating_point T>
+template <class T>  // a floating-point number, or several side by side
 struct Vec2T {
   T x{}, y{};
 
@@ -24,7 +23,7 @@ struct Vec2T {
   friend constexpr bool operator==(const Vec2T&, const Vec2T&) = default;
 };
 
-template <std::floating_point T>
+template <class T>  // a floating-point number, or several side by side
 struct Vec3T {
   T x{}, y{}, z{};
 
@@ -88,7 +87,8 @@ constexpr Vec3T<T> cross(Vec3T<T> a, Vec3T<T> b) {
 }
 template <class T>
 T length(Vec3T<T> a) {
-  return std::sqrt(dot(a, a));
+  using std::sqrt;
+  return sqrt(dot(a, a));
 }
 template <class T>
 Vec3T<T> normalized(Vec3T<T> a) {

@@ -64,6 +64,18 @@ TEST_F(Mix, WhatCannotBeIsSaidInOneLine) {
   wrong("a.png", 1, "no OpenEXR");
 }
 
+TEST_F(Mix, LightsAreKeptApartAsAsked) {
+  const std::string how = "render " + sample() + " --camera Bedroom --size 32x20 --spp 2 --lamps on -o ";
+  ASSERT_EQ(run(how + "apart.exr --light-groups").status, 0);
+  EXPECT_GT(render::loadLayers(path("apart.exr")).groups.size(), 5u);
+  ASSERT_EQ(run(how + "together.exr --no-light-groups").status, 0);
+  EXPECT_TRUE(render::loadLayers(path("together.exr")).film.groups.empty());
+  EXPECT_THAT(run("mix together.exr -o a.png --set sun=0").err, HasSubstr("--light-groups"));
+  EXPECT_EQ(run(how + "a.png --light-groups").status, 2);
+  EXPECT_EQ(run(how + "a.exr --quick --light-groups").status, 2);
+  EXPECT_EQ(run("mix apart.exr -o stops.png --tone false").status, 0);
+}
+
 TEST_F(Mix, APictureIsGoneOnWith) {
   const std::string how = "render " + sample() + " --camera Bedroom --size 48x32 --lamps on ";
   ASSERT_EQ(run(how + "-o a.exr --spp 4").status, 0);

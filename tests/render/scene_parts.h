@@ -103,6 +103,7 @@ class SceneMaker {
     return scene_->instances.back();
   }
   Scene& scene() { return *scene_; }
+  std::shared_ptr<const Scene> shared() const { return scene_; }
   std::unique_ptr<CompiledScene> compile() const { return std::make_unique<CompiledScene>(scene_); }
 
  private:

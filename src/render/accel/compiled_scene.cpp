@@ -7,17 +7,18 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <map>
 
 #include "base/error.h"
-#include "render/accel/hit_instance.h"
-#include "render/accel/mesh_accel.h"
+#include "render/accel/scene_accel.h"
 #include "render/emitter/lights.h"
 #include "render/material/albedo_table.h"
 
 namespace idap::render {
 
 namespace {
+
+// With their vertices and BVH about 0.2 GB.
+constexpr std::uint64_t kMostInOneLevel = 1'500'000;
 
 bool usable(const Transformf& t) {
   const float d = t.determinant();
@@ -27,72 +28,6 @@ bool usable(const Transformf& t) {
 bool keepTrackOfMemory(void* counter, ssize_t bytes, bool) {
   static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
-}
-
-}  // namespace
-
-struct CompiledScene::Accel {
-  struct Device {
-    std::atomic<std::int64_t> bytes{0};  // before the device, which counts in it to its end
-    DeviceHandle handle;
-  };
-  using MeshKey = std::pair<const Mesh*, std::vector<bool>>;
-
-  std::shared_ptr<Device> device;
-  std::vector<SurfaceData> surfaces;
-  std::vector<HitInstance> instances;
-  std::vector<GeometryHandle> geometries;  // one an instance; null where there is nothing to hit
-  std::vector<std::shared_ptr<MeshAccel>> meshes;
-  std::map<MeshKey, std::shared_ptr<MeshAccel>> meshByKey;
-  std::map<const Mesh*, std::uint32_t> slotCounts;  // of meshes that were checked; meshes hold them
-  std::vector<std::uint32_t> meshOfInstance;
-  std::vector<std::uint32_t> sphereLamps;  // Embree's sphere -> lamp
-  unsigned lampGeometry = kNone;
-  SceneHandle top;
-  bool lightsMoved = false;
-
-  void place(std::uint32_t instance, const Transformf& transform);
-};
-
-namespace {
-
-// What shadow rays carry through Embree to the filter.
-struct ShadowContext {
-  RTCIntersectContext embree;
-  const HitInstance* instances;
-  const SurfaceData* surfaces;
-  Vec3f direction;
-  Rgb transmittance{1, 1, 1};
-  float lastT = -1.0f;  // the sheet counted last
-  std::uint32_t lastInstance = kNone;
-};
-
-void shadowFilter(const RTCFilterFunctionNArguments* args) {
-  if (args->N != 1 || args->valid[0] == 0) return;
-  auto& context = *reinterpret_cast<ShadowContext*>(args->context);
-  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
-  const HitInstance& instance = context.instances[hit.instID[0]];
-  // A ray through the edge between two triangles, or through faces modelled twice, passes one sheet, not two.
-  const float t = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
-  if (context.lastInstance == hit.instID[0] && std::fabs(t - context.lastT) <= 2e-6f * t) {
-    args->valid[0] = 0;
-    return;
-  }
-  context.lastT = t;
-  context.lastInstance = hit.instID[0];
-  const std::uint32_t triangle = instance.triangleOf(hit.geomID, hit.primID);
-  const SurfaceData& surface = context.surfaces[instance.surfaceOf(triangle)];
-
-  Vec2f uv{};
-  if (surface.hasMaps && instance.uvs) {
-    const auto& c = instance.triangles[triangle];
-    uv = interpolate(instance.uvs[c[0]], instance.uvs[c[1]], instance.uvs[c[2]], hit.u, hit.v);
-  }
-  const Vec3f normal = instance.normalToWorld.vector({hit.Ng_x, hit.Ng_y, hit.Ng_z});
-  const float l2 = dot(normal, normal);
-  const float cosine = l2 > 0 ? std::fabs(dot(normal, context.direction)) / std::sqrt(l2) : 1.0f;
-  context.transmittance *= straightTransmittance(surface, valuesAt(surface, uv), std::min(cosine, 1.0f));
-  if (maxComponent(context.transmittance) > 1e-5f) args->valid[0] = 0;
 }
 
 }  // namespace
@@ -119,7 +54,8 @@ void CompiledScene::Accel::place(std::uint32_t i, const Transformf& t) {
   rtcCommitGeometry(geometry);
 }
 
-CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, const CompiledScene* previous)
+CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, const CompiledScene* previous,
+                             BvhLevels levels)
     : scene_(std::move(scene)), accel_(std::make_unique<Accel>()) {
   const auto start = std::chrono::steady_clock::now();
   Accel& a = *accel_;
@@ -157,7 +93,6 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
     slotCount[m] = mesh.slots.empty() ? 1 : *std::ranges::max_element(mesh.slots) + 1;
     if (!mesh.empty()) a.slotCounts[&mesh] = slotCount[m];
   }
-  std::vector<MeshAccel*> unbuilt;
   std::map<Accel::MeshKey, std::uint32_t> known;
   std::vector<bool> meshUsed(scene_->meshes.size(), false);
   for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
@@ -186,10 +121,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
         const auto old = previous->accel_->meshByKey.find(key);
         if (old != previous->accel_->meshByKey.end()) accel = old->second;
       }
-      if (!accel) {
-        accel = std::make_shared<MeshAccel>(mesh, sieve);
-        unbuilt.push_back(accel.get());
-      }
+      if (!accel) accel = std::make_shared<MeshAccel>(mesh, sieve);
       a.meshByKey[key] = accel;
       a.meshes.push_back(std::move(accel));
     }
@@ -199,13 +131,18 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
     meshUsed[instance.mesh] = true;
   }
 
+  a.flat = levels == BvhLevels::One && stats_.instancedTriangles <= kMostInOneLevel;
   const auto buildAll = [&] {
-    tbb::parallel_for(std::size_t{0}, unbuilt.size(), [&](std::size_t m) {
-      tbb::this_task_arena::isolate([&] { unbuilt[m]->build(a.device->handle.get(), shadowFilter); });
-    });
+    const RTCDevice device = a.device->handle.get();
+    if (!a.flat)
+      tbb::parallel_for(std::size_t{0}, a.meshes.size(), [&](std::size_t m) {
+        if (a.meshes[m]->scene()) return;
+        tbb::this_task_arena::isolate([&] { a.meshes[m]->build(device, shadowFilter); });
+      });
 
-    a.top.reset(rtcNewScene(a.device->handle.get()));
-    rtcSetSceneFlags(a.top.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
+    a.top.reset(rtcNewScene(device));
+    rtcSetSceneFlags(a.top.get(),
+                     a.flat ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
     Box3f world;
     for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
       const Instance& instance = scene_->instances[i];
@@ -225,10 +162,17 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
         data.triangleMap[1] = accel.triangleMap(1);
         data.objectId = instance.objectId;
         data.lightGroup = instance.lightGroup;
-        geometry.reset(rtcNewGeometry(a.device->handle.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcSetGeometryInstancedScene(geometry.get(), accel.scene());
-        rtcSetGeometryTimeStepCount(geometry.get(), 1);
-        rtcSetGeometryMask(geometry.get(), kSeenByLight | (instance.visibleToCamera ? kSeenByCamera : 0u));
+        const unsigned mask = kSeenByLight | (instance.visibleToCamera ? kSeenByCamera : 0u);
+        if (a.flat) {
+          a.inOneLevel[i] = usable(instance.transform);
+          if (a.inOneLevel[i])
+            accel.attachTo(device, a.top.get(), instance.transform, 2 * i, mask, shadowFilter);
+        } else {
+          geometry.reset(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+          rtcSetGeometryInstancedScene(geometry.get(), accel.scene());
+          rtcSetGeometryTimeStepCount(geometry.get(), 1);
+          rtcSetGeometryMask(geometry.get(), mask);
+        }
         if (usable(instance.transform)) {
           const Box3f& b = accel.bounds();
           for (int corner = 0; corner < 8 && !b.empty(); ++corner)
@@ -254,7 +198,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
       }
       rtcSetGeometryMask(spheres.get(), kLampSpheres);
       rtcCommitGeometry(spheres.get());
-      a.lampGeometry = static_cast<unsigned>(scene_->instances.size());
+      a.lampGeometry = static_cast<unsigned>(2 * scene_->instances.size());
       rtcAttachGeometryByID(a.top.get(), spheres.get(), a.lampGeometry);
     }
     rtcJoinCommitScene(a.top.get());
@@ -267,6 +211,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
     }
   };
   a.instances.reserve(scene_->instances.size());
+  a.inOneLevel.resize(scene_->instances.size());
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute(buildAll);
 
@@ -286,94 +231,19 @@ std::uint32_t CompiledScene::surfaceOfSlot(std::uint32_t i, std::uint32_t slot) 
 
 RTCSceneTy* CompiledScene::embreeScene() const { return accel_->top.get(); }
 
-void CompiledScene::setTransform(std::uint32_t instance, const Transformf& transform) {
-  if (instance >= accel_->instances.size()) throw RenderError(fmt::format("no instance {}", instance));
-  accel_->place(instance, transform);
-  const auto& surfaces = scene_->instances[instance].surfaces;
-  if (std::ranges::any_of(surfaces, [&](std::uint32_t s) { return accel_->surfaces[s].emits; }))
-    accel_->lightsMoved = true;
-}
-
 void CompiledScene::setVisibleToCamera(std::uint32_t instance, bool visible) {
   if (instance >= accel_->instances.size()) throw RenderError(fmt::format("no instance {}", instance));
-  if (!accel_->geometries[instance]) return;
-  RTCGeometry geometry = accel_->geometries[instance].get();
-  rtcSetGeometryMask(geometry, kSeenByLight | (visible ? kSeenByCamera : 0u));
-  rtcCommitGeometry(geometry);
+  const unsigned mask = kSeenByLight | (visible ? kSeenByCamera : 0u);
+  const auto set = [&](RTCGeometry geometry) {
+    if (!geometry) return;
+    rtcSetGeometryMask(geometry, mask);
+    rtcCommitGeometry(geometry);
+  };
+  if (!accel_->flat) return set(accel_->geometries[instance].get());
+  for (const unsigned part : {kOpaqueGeometry, kSieveGeometry})
+    if (accel_->hasPart(instance, part)) set(rtcGetGeometry(accel_->top.get(), 2 * instance + part));
 }
 
-void CompiledScene::commit() {
-  rtcJoinCommitScene(accel_->top.get());
-  if (accel_->lightsMoved) lights_ = std::make_unique<Lights>(*this);
-  accel_->lightsMoved = false;
-}
-
-bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool coherent) const {
-  if (log_) [[unlikely]]
-    log_->push_back({ray, mask, false, coherent});
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  RTCRayHit r;
-  r.ray = {ray.origin.x,
-           ray.origin.y,
-           ray.origin.z,
-           ray.tMin,
-           ray.direction.x,
-           ray.direction.y,
-           ray.direction.z,
-           0.0f,
-           ray.tMax,
-           mask,
-           0u,
-           0u};
-  r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(accel_->top.get(), &context, &r);
-  if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit.t = r.ray.tfar;
-  hit.u = r.hit.u;
-  hit.v = r.hit.v;
-  hit.objectNormal = {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z};
-  hit.instance = r.hit.instID[0];
-  if (hit.instance == RTC_INVALID_GEOMETRY_ID) {
-    hit.lamp = accel_->sphereLamps[r.hit.primID];
-  } else {
-    hit.lamp = kNone;
-    hit.triangle = accel_->instances[hit.instance].triangleOf(r.hit.geomID, r.hit.primID);
-  }
-  return true;
-}
-
-Rgb CompiledScene::transmittance(const Ray& ray) const {
-  if (log_) [[unlikely]]
-    log_->push_back({ray, kSeenByLight, true, false});
-  ShadowContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  context.instances = accel_->instances.data();
-  context.surfaces = accel_->surfaces.data();
-  context.direction = ray.direction;
-  RTCRay r{ray.origin.x,
-           ray.origin.y,
-           ray.origin.z,
-           ray.tMin,
-           ray.direction.x,
-           ray.direction.y,
-           ray.direction.z,
-           0.0f,
-           ray.tMax,
-           kSeenByLight,
-           0u,
-           0u};
-  rtcOccluded1(accel_->top.get(), &context.embree, &r);
-  return r.tfar < 0 ? Rgb{} : context.transmittance;
-}
-
-bool CompiledScene::occluded(const Ray& ray) const { return maxComponent(transmittance(ray)) <= 0; }
-
-Interaction CompiledScene::interaction(const Ray& ray, const Hit& hit) const {
-  return interactionOn(accel_->instances[hit.instance], accel_->surfaces.data(), ray, hit);
-}
+void CompiledScene::commit() { rtcJoinCommitScene(accel_->top.get()); }
 
 }  // namespace idap::render

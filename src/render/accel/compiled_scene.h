@@ -1,14 +1,12 @@
-// A scene made ready for tracing: Embree acceleration in two levels (one BVH a mesh and opacity pattern,
-// instances on top), surfaces and light samplers. Tracing is safe from many threads; changing is not.
+// A scene made ready for tracing: Embree's acceleration structures, surfaces and light samplers. Tracing is
+// safe from many threads; changing is not.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "render/accel/interaction.h"
-#include "render/accel/ray.h"
-#include "render/material/surface_data.h"
+#include "render/accel/lane_rays.h"
 #include "render/scene.h"
 
 struct RTCSceneTy;  // Embree's RTCScene points to it
@@ -16,6 +14,12 @@ struct RTCSceneTy;  // Embree's RTCScene points to it
 namespace idap::render {
 
 class Lights;
+
+// How instances are held. Two: one BVH a mesh and opacity pattern and one over the instances; quick to build
+// anew after an edit, which shares the meshes', and small. One: all triangles in world space in one BVH;
+// takes longer to build and is traced faster, for pictures that take longer than that. Scenes of very many
+// triangles have two in any case.
+enum class BvhLevels { One, Two };
 
 struct CompileStats {
   double seconds = 0.0;
@@ -30,7 +34,7 @@ class CompiledScene {
   // previous: a scene that this one is an edit of; the acceleration structures of meshes that both have are
   // shared. It may go afterwards.
   explicit CompiledScene(std::shared_ptr<const Scene> scene, int threads = 0,
-                         const CompiledScene* previous = nullptr);
+                         const CompiledScene* previous = nullptr, BvhLevels levels = BvhLevels::Two);
   ~CompiledScene();
   CompiledScene(const CompiledScene&) = delete;
   CompiledScene& operator=(const CompiledScene&) = delete;
@@ -46,10 +50,7 @@ class CompiledScene {
   float radius() const { return radius_; }  // of a sphere around everything, m
   Vec3f centre() const { return centre_; }
 
-  // Moves one instance; rays see it after commit(), which rebuilds the top level only (and the light samplers
-  // if the instance shines).
-  void setTransform(std::uint32_t instance, const Transformf& transform);
-  // Whether primary rays see the instance; light meets it all the same.
+  // Whether primary rays see the instance, after commit(); light meets it all the same.
   void setVisibleToCamera(std::uint32_t instance, bool visible);
   void commit();
 
@@ -68,14 +69,20 @@ class CompiledScene {
   // The surface point of a hit on an instance (not on a lamp).
   Interaction interaction(const Ray& ray, const Hit& hit) const;
 
+  // The same for the rays of those lanes that the mask has. Rays that go the same way are quickest.
+  void intersect(LaneMask active, const LaneRays& rays, LaneHits& hits, Words masks) const;
+  LaneVec transmittance(LaneMask active, const LaneRays& rays) const;
+  void points(LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points) const;
+
   // For measuring and debugging. Every ray traced is appended to the log until it is null again; with a log,
   // trace from one thread only. The top level is for nearest hits, and for shadow rays where nothing lets
   // light through.
   void setLog(std::vector<LoggedRay>* log) { log_ = log; }
   RTCSceneTy* embreeScene() const;
 
- private:
   struct Accel;
+
+ private:
   std::shared_ptr<const Scene> scene_;
   std::unique_ptr<Accel> accel_;
   std::unique_ptr<Lights> lights_;

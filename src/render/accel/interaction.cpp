@@ -7,26 +7,6 @@
 
 namespace idap::render {
 
-namespace {
-
-// A hit's position is off by some ulps of the coordinates it was computed from; new rays start this many
-// ulps (2^-23) away. 48 ulps at 10 m are 0.06 mm.
-constexpr float kOffsetUlps = 48.0f * 1.1920929e-7f;
-
-// Tilts a shading normal just so far that the mirror image of wo about it stays above the surface.
-Vec3f bend(Vec3f ns, Vec3f ng, Vec3f wo) {
-  const Vec3f mirrored = ns * (2 * dot(ns, wo)) - wo;
-  const float threshold = 0.02f * std::min(1.0f, 2 * dot(ng, wo));
-  const float height = dot(mirrored, ng);
-  if (height >= threshold) return ns;
-  const Vec3f lifted = normalized(mirrored + ng * (threshold - height));
-  const Vec3f half = lifted + wo;
-  const float l2 = dot(half, half);
-  return l2 > 1e-8f ? half * (1 / std::sqrt(l2)) : ng;
-}
-
-}  // namespace
-
 Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, const Ray& ray,
                           const Hit& hit) {
   const auto& c = data.triangles[hit.triangle];
@@ -41,7 +21,7 @@ Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, 
   const float size = std::max({std::fabs(s.position.x), std::fabs(s.position.y), std::fabs(s.position.z)});
   s.offset = kOffsetUlps * std::max(size + data.translation, 0.1f);
 
-  Vec3f ng = data.normalToWorld.vector(hit.objectNormal);
+  Vec3f ng = data.normalToWorld.vector(cross(b - a, d - a));
   const float l2 = dot(ng, ng);
   ng = l2 > 0 && std::isfinite(l2) ? ng * (1 / std::sqrt(l2)) : -ray.direction;
   s.frontFace = dot(ng, ray.direction) <= 0;
@@ -79,7 +59,7 @@ Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, 
       s.smooth = true;
     }
   }
-  if (s.smooth) s.ns = bend(s.ns, s.ng, -ray.direction);
+  if (s.smooth) s.ns = bend(s.ns, s.ng, Vec3f(-ray.direction));
   return s;
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "geometry/vec.h"
+#include "render/lanes/lanes.h"
 
 namespace idap::render {
 
@@ -28,11 +28,12 @@ struct Interaction {
 
 // Smooth normals on coarse meshes would cut the light off along triangle edges; fade it out instead (Chiang,
 // Li and Burley 2019, "Taming the shadow terminator").
-inline float terminator(const Interaction& at, Vec3f wi) {
-  const float g = dot(at.ng, wi), s = dot(at.ns, wi), n = dot(at.ng, at.ns);
-  if (s * g <= 0 || s * n == 0) return 1;
-  const float q = g / (s * n);
-  return q >= 1 || q <= 0 ? 1.0f : q * (1 + q * (1 - q));
+template <class F>
+F terminator(const Vec3T<F>& ng, const Vec3T<F>& ns, const Vec3T<F>& wi) {
+  const F g = dot(ng, wi), s = dot(ns, wi), n = dot(ng, ns);
+  const F q = g / (s * n);
+  const Mask<F> fades = s * g > 0.0f && q > 0.0f && q < 1.0f;
+  return select(fades, q * (1.0f + q * (1.0f - q)), F(1.0f));
 }
 
 }  // namespace idap::render

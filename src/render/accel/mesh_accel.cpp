@@ -10,25 +10,47 @@ bool finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::i
 
 }  // namespace
 
-MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve)
-    : mesh_(std::move(mesh)), sieve_(std::move(sieve)) {
+MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve) : mesh_(std::move(mesh)) {
   for (const Vec3f& p : mesh_->positions)
     if (finite(p)) bounds_.add(p);
+  const auto& triangles = mesh_->triangles;
+  const bool anyOpaque = std::ranges::find(sieve, false) != sieve.end(),
+             anySieve = std::ranges::find(sieve, true) != sieve.end();
+  if (!anySieve) {
+    parts_[kOpaqueGeometry] = triangles;
+  } else if (!anyOpaque) {
+    parts_[kSieveGeometry] = triangles;
+  } else {
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const unsigned part = sieve[mesh_->slotOf(i)] ? kSieveGeometry : kOpaqueGeometry;
+      sorted_[part].push_back(triangles[i]);
+      maps_[part].push_back(i);
+    }
+    parts_[0] = sorted_[0];
+    parts_[1] = sorted_[1];
+  }
 }
 
-void MeshAccel::attach(RTCDevice device, unsigned id, const Corners* triangles, std::size_t count,
-                       RTCFilterFunctionN filter) {
-  if (count == 0) return;
-  const Vec3f* positions = paddedPositions_.empty() ? mesh_->positions.data() : paddedPositions_.data();
-  GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions, 0,
-                             sizeof(Vec3f), mesh_->positions.size());
-  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles, 0,
-                             sizeof(Corners), count);
-  rtcSetGeometryMask(geometry.get(), ~0u);
-  if (filter != nullptr) rtcSetGeometryOccludedFilterFunction(geometry.get(), filter);
+void MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
+                       const Transformf* transform, RTCFilterFunctionN shadowFilter) const {
+  if (parts_[part].empty()) return;
+  const GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  const std::size_t count = mesh_->positions.size();
+  if (transform) {
+    auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                 RTC_FORMAT_FLOAT3, sizeof(Vec3f), count));
+    for (const Vec3f& p : mesh_->positions) *vertices++ = transform->point(p);
+  } else {
+    const Vec3f* positions = paddedPositions_.empty() ? mesh_->positions.data() : paddedPositions_.data();
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions, 0,
+                               sizeof(Vec3f), count);
+  }
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, parts_[part].data(),
+                             0, sizeof(Corners), parts_[part].size());
+  rtcSetGeometryMask(geometry.get(), mask);
+  if (part == kSieveGeometry) rtcSetGeometryOccludedFilterFunction(geometry.get(), shadowFilter);
   rtcCommitGeometry(geometry.get());
-  rtcAttachGeometryByID(scene_.get(), geometry.get(), id);
+  rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
 void MeshAccel::build(RTCDevice device, RTCFilterFunctionN shadowFilter) {
@@ -42,22 +64,15 @@ void MeshAccel::build(RTCDevice device, RTCFilterFunctionN shadowFilter) {
     paddedPositions_.reserve(mesh_->positions.size() + 1);
     paddedPositions_ = mesh_->positions;
   }
-
-  const auto& triangles = mesh_->triangles;
-  if (std::ranges::find(sieve_, true) == sieve_.end()) {
-    attach(device, kOpaqueGeometry, triangles.data(), triangles.size(), nullptr);
-  } else if (std::ranges::find(sieve_, false) == sieve_.end()) {
-    attach(device, kSieveGeometry, triangles.data(), triangles.size(), shadowFilter);
-  } else {
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      const unsigned part = sieve_[mesh_->slotOf(i)] ? kSieveGeometry : kOpaqueGeometry;
-      parts_[part].push_back(triangles[i]);
-      maps_[part].push_back(i);
-    }
-    attach(device, kOpaqueGeometry, parts_[0].data(), parts_[0].size(), nullptr);
-    attach(device, kSieveGeometry, parts_[1].data(), parts_[1].size(), shadowFilter);
-  }
+  for (unsigned part = 0; part < 2; ++part)
+    attach(device, scene_.get(), part, part, ~0u, nullptr, shadowFilter);
   rtcJoinCommitScene(scene_.get());
+}
+
+void MeshAccel::attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
+                         unsigned mask, RTCFilterFunctionN shadowFilter) const {
+  for (unsigned part = 0; part < 2; ++part)
+    attach(device, scene, part, firstId + part, mask, &transform, shadowFilter);
 }
 
 }  // namespace idap::render

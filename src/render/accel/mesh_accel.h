@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "geometry/transform.h"
 #include "render/accel/embree_handles.h"
 
 namespace idap::render {
@@ -20,10 +22,15 @@ class MeshAccel {
   // sieve[slot]: light may get through triangles of that slot.
   MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve);
 
-  // Builds the BVH; may run inside a TBB task.
+  // Builds the BVH of the lower level; may run inside a TBB task.
   void build(RTCDevice device, RTCFilterFunctionN shadowFilter);
+  // Adds the triangles of an instance, in world space, to a scene of one level. firstId: its geometries'.
+  void attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
+                unsigned mask, RTCFilterFunctionN shadowFilter) const;
 
+  // Null before build().
   RTCScene scene() const { return scene_.get(); }
+  bool has(unsigned part) const { return !parts_[part].empty(); }
   const Mesh& mesh() const { return *mesh_; }
   const Box3f& bounds() const { return bounds_; }
   // Embree's primitive number -> the mesh's triangle; null where they are equal.
@@ -33,15 +40,16 @@ class MeshAccel {
 
  private:
   using Corners = std::array<std::uint32_t, 3>;
-  void attach(RTCDevice device, unsigned id, const Corners* triangles, std::size_t count,
-              RTCFilterFunctionN filter);
+  // transform: to world space; null where the vertices stay as they are.
+  void attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
+              const Transformf* transform, RTCFilterFunctionN shadowFilter) const;
 
   std::shared_ptr<const Mesh> mesh_;
-  std::vector<bool> sieve_;
   Box3f bounds_;
   SceneHandle scene_;
   std::vector<Vec3f> paddedPositions_;
-  std::vector<Corners> parts_[2];
+  std::span<const Corners> parts_[2];  // of the mesh, or of those below
+  std::vector<Corners> sorted_[2];
   std::vector<std::uint32_t> maps_[2];
 };
 

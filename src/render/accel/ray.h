@@ -33,7 +33,6 @@ struct Hit {
   std::uint32_t instance = kNone;  // into Scene::instances; kNone on a lamp
   std::uint32_t triangle = 0;      // into the mesh's triangles
   std::uint32_t lamp = kNone;      // into Scene::lamps
-  Vec3f objectNormal;              // geometric, object space, not normalized
   bool isLamp() const { return lamp != kNone; }
 };
 

@@ -16,22 +16,27 @@ namespace {
 // ignore them.
 constexpr float kLeastMapShare = 0.15f;
 constexpr float kFarPortals = 0.02f;  // sr, where half of the others do
-float mapShare(float importance) {
+template <class F>
+F mapShare(F importance) {
   return kLeastMapShare + (1 - kLeastMapShare) * kFarPortals / (kFarPortals + importance);
 }
 // A portal seen under less than this (sr) is left to the sky map.
 constexpr float kLeastSolidAngle = 1e-5f;
 
-Vec3f directionOf(Vec2f point) {
-  const float theta = kPiF * point.y, phi = 2 * kPiF * point.x;
-  const float s = std::sin(theta);
-  return {s * std::cos(phi), s * std::sin(phi), std::cos(theta)};
+template <class F>
+Vec3T<F> directionOf(const Vec2T<F>& point) {
+  F sinTheta, cosTheta, sinPhi, cosPhi;
+  sinCos(kPiF * point.y, sinTheta, cosTheta);
+  sinCos(2 * kPiF * point.x, sinPhi, cosPhi);
+  return {sinTheta * cosPhi, sinTheta * sinPhi, cosTheta};
 }
 
-Vec2f pointOf(Vec3f d) {
-  const float phi = std::atan2(d.y, d.x) * (0.5f / kPiF);
-  return {std::clamp(phi < 0 ? phi + 1 : phi, 0.0f, kOneMinusEpsilon),
-          std::clamp(std::acos(std::clamp(d.z, -1.0f, 1.0f)) / kPiF, 0.0f, kOneMinusEpsilon)};
+template <class F>
+Vec2T<F> pointOf(const Vec3T<F>& d) {
+  using namespace lane_math;
+  const F turn = arcTangent2(d.y, d.x) * (0.5f / kPiF);
+  return {clamp(select(turn < 0.0f, turn + 1.0f, turn), 0.0f, kOneMinusEpsilon),
+          clamp(F(arcCosine(clamp(d.z, -1.0f, 1.0f)) * (1 / kPiF)), 0.0f, kOneMinusEpsilon)};
 }
 
 }  // namespace
@@ -95,140 +100,190 @@ Daylight::Daylight(const CompiledScene& scene)
   }
 }
 
-float Daylight::importance(const Opening& o, const Receiver& at) {
-  const Vec3f to = o.centre - at.position;
-  const float side = dot(to, o.normal);
-  if (!o.bothSides && side <= 0) return 0;
-  if (!at.bothSides) {
-    const float reach =
-        dot(at.normal, to) + 0.5f * (std::fabs(dot(at.normal, o.edgeU)) + std::fabs(dot(at.normal, o.edgeV)));
-    if (reach <= 0) return 0;
-  }
+template <class F>
+F Daylight::importance(const Opening& o, const ReceiverT<F>& at) {
+  using namespace lane_math;
+  const Vec3T<F> to = spread<F>(o.centre) - at.position;
+  const F side = dot(to, spread<F>(o.normal));
+  Mask<F> seen = side > 0.0f || Mask<F>(o.bothSides);
+  const F towards = dot(at.normal, to);
+  const F reach =
+      towards + 0.5f * (abs(dot(at.normal, spread<F>(o.edgeU))) + abs(dot(at.normal, spread<F>(o.edgeV))));
+  seen = seen && (at.bothSides || reach > 0.0f);
   // About the solid angle, and about the cosine at the receiver.
-  const float d2 = dot(to, to);
-  const float d = std::sqrt(d2);
-  const float solidAngle = o.area * std::fabs(side) / (d * std::max(d2, 0.25f * o.area) + 1e-9f);
-  if (solidAngle < kLeastSolidAngle) return 0;
-  const float cosine = at.bothSides ? 1.0f : std::max(dot(at.normal, to) / d, 0.1f);
-  return solidAngle * cosine;
+  const F d2 = dot(to, to);
+  const F d = sqrt(d2);
+  const F solidAngle = o.area * abs(side) / (d * max(d2, 0.25f * o.area) + 1e-9f);
+  seen = seen && solidAngle >= kLeastSolidAngle;
+  const F cosine = select(at.bothSides, F(1.0f), max(towards / max(d, 1e-20f), 0.1f));
+  return only(seen, solidAngle * cosine);
 }
 
-bool Daylight::crosses(const Opening& o, Vec3f from, Vec3f direction) {
-  const float facing = dot(direction, o.normal);
-  if (std::fabs(facing) < 1e-7f) return false;
-  const float t = dot(o.corner - from, o.normal) / facing;
-  if (t <= 0) return false;
-  const Vec3f p = from + direction * t - o.corner;
-  const float u = dot(p, o.edgeU) * o.inverseU2, v = dot(p, o.edgeV) * o.inverseV2;
-  return u >= 0 && u <= 1 && v >= 0 && v <= 1;
+template <class F>
+Mask<F> Daylight::crosses(const Opening& o, const Vec3T<F>& from, const Vec3T<F>& direction) {
+  using namespace lane_math;
+  const Vec3T<F> normal = spread<F>(o.normal);
+  const F facing = dot(direction, normal);
+  const Vec3T<F> corner = spread<F>(o.corner) - from;
+  const F t = dot(corner, normal) / facing;
+  const Vec3T<F> p = direction * t - corner;
+  const F u = dot(p, spread<F>(o.edgeU)) * o.inverseU2, v = dot(p, spread<F>(o.edgeV)) * o.inverseV2;
+  return abs(facing) >= 1e-7f && t > 0.0f && u >= 0.0f && u <= 1.0f && v >= 0.0f && v <= 1.0f;
 }
 
-bool Daylight::seesSun(const Receiver& at) const {
-  return hasSun_ && (at.bothSides || dot(at.normal, sun_.direction) > -sun_.angularRadius);
+template <class F>
+Mask<F> Daylight::seesSun(const ReceiverT<F>& at) const {
+  return Mask<F>(hasSun_) &&
+         (at.bothSides || dot(at.normal, spread<F>(sun_.direction)) > -sun_.angularRadius);
 }
 
-bool Daylight::sampleSun(const Receiver& at, Vec2f u, LightSample& s) const {
-  if (!seesSun(at)) return false;
-  s.lightGroup = sunGroup_;
+template <class F>
+Mask<F> Daylight::sampleSun(const ReceiverT<F>& at, const Vec2T<F>& u, LightSampleT<F>& s) const {
+  const Mask<F> seen = seesSun(at);
+  if (!any(seen)) return seen;
+  s.lightGroup = Int<F>(std::int32_t{sunGroup_});
   s.distance = std::numeric_limits<float>::infinity();
-  s.wi = Frame(sun_.direction).toWorld(uniformCone(u, sunCone_));
+  const Frame frame(sun_.direction);
+  const Vec3T<F> local = uniformCone(u, sunCone_);
+  s.wi = spread<F>(frame.x) * local.x + spread<F>(frame.y) * local.y + spread<F>(frame.z) * local.z;
   s.pdf = 1 / coneSolidAngle(sunCone_);
-  s.weight = sunRadiance_ * coneSolidAngle(sunCone_);
-  return true;
+  s.weight = spread<F>(sunRadiance_ * coneSolidAngle(sunCone_));
+  return seen;
 }
 
-bool Daylight::sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
-  if (!hasSky_ || !chooseSky(at, choice, u, s)) return false;
+template <class F>
+Mask<F> Daylight::sampleSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u,
+                            LightSampleT<F>& s) const {
+  if (!hasSky_) return Mask<F>(false);
+  const Mask<F> found = chooseSky<F>(at, choice, u, s.wi, s.pdf);
   s.lightGroup = 0;
   s.distance = std::numeric_limits<float>::infinity();
-  s.weight = skyRadiance(s.wi) * (1 / s.pdf);
-  return true;
+  s.weight = only(found, skyRadiance(s.wi) * F(1.0f / s.pdf));
+  return found;
 }
 
-bool Daylight::chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
-  float sum = 0;
+template <class F>
+Mask<F> Daylight::chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u,
+                            Vec3T<F>& wi, F& pdf) const {
+  F sum = 0.0f;
   for (const Opening& o : openings_) sum += importance(o, at);
-  const float byMap = mapShare(sum);
-  if (sum > 0 && choice >= byMap) {
-    float rest = (choice - byMap) / (1 - byMap) * sum;
-    const Opening* chosen = nullptr;
+  const F byMap = mapShare(sum);
+  const Mask<F> throughOpening = sum > 0.0f && choice >= byMap;
+  Mask<F> found = !throughOpening;
+  Int<F> chosen = -1;
+  if (any(throughOpening)) {
+    F rest = (choice - byMap) / (1.0f - byMap) * sum;
+    Mask<F> open = throughOpening;
+    Vec3T<F> corner = at.position, edgeU = spread<F>({1, 0, 0}), edgeV = spread<F>({0, 1, 0});
+    std::int32_t index = 0;
     for (const Opening& o : openings_) {
-      const float w = importance(o, at);
-      if (w <= 0) continue;
-      chosen = &o;
-      if (rest < w) break;
-      rest -= w;
+      const F w = importance(o, at);
+      const Mask<F> takes = open && w > 0.0f;
+      if (any(takes)) {
+        chosen = select(takes, Int<F>(index), chosen);
+        corner = select(takes, spread<F>(o.corner), corner);
+        edgeU = select(takes, spread<F>(o.edgeU), edgeU);
+        edgeV = select(takes, spread<F>(o.edgeV), edgeV);
+        open = open && !(takes && rest < w);
+        rest = select(takes && open, rest - w, rest);
+      }
+      ++index;
     }
-    const SphericalRectangle seen(chosen->corner, chosen->edgeU, chosen->edgeV, at.position);
-    if (seen.solidAngle() < kLeastSolidAngle * 0.1f) return false;
-    const Vec3f d = seen.sample(u);
-    s.wi = normalized(d);
-    if (!std::isfinite(dot(s.wi, s.wi))) return false;
-    s.pdf = mixturePdf(at, s.wi, sum, chosen, seen.solidAngle());
-    return s.pdf > 0;
+    const SphericalRectangleT<F> seen(corner, edgeU, edgeV, at.position);
+    const Vec3T<F> d = seen.sample(u);
+    const F l2 = dot(d, d);
+    wi = d * F(1.0f / lane_math::sqrt(lane_math::max(l2, 1e-30f)));
+    found = found || (seen.solidAngle() >= kLeastSolidAngle * 0.1f && l2 > 1e-30f && l2 < 1e30f);
   }
-  const Distribution2D::Sample m = map_.sample(u);
-  s.wi = directionOf(m.point);
-  if (openings_.empty() || sum <= 0) {
-    const float sine = std::sin(kPiF * m.point.y);
-    s.pdf = m.pdf / (2 * kPiF * kPiF * std::max(sine, 1e-6f));
-  } else {
-    s.pdf = mixturePdf(at, s.wi, sum, nullptr, 0);
+  if (!every(throughOpening)) {
+    const Distribution2D::Sample<F> m = map_.sample(u);
+    wi = select(throughOpening, wi, directionOf(m.point));
   }
-  return s.pdf > 0;
+  pdf = mixturePdf<F>(at, wi, sum, chosen);
+  return found && pdf > 0.0f;
 }
 
-float Daylight::pdfMap(Vec3f d) const {
-  const float sine = std::sqrt(std::max(d.x * d.x + d.y * d.y, 1e-12f));
+template <class F>
+F Daylight::pdfMap(const Vec3T<F>& d) const {
+  using namespace lane_math;
+  const F sine = sqrt(max(d.x * d.x + d.y * d.y, 1e-12f));
   return map_.pdf(pointOf(d)) / (2 * kPiF * kPiF * sine);
 }
 
-float Daylight::mixturePdf(const Receiver& at, Vec3f d) const {
-  float sum = 0;
-  for (const Opening& o : openings_) sum += importance(o, at);
-  return mixturePdf(at, d, sum, nullptr, 0);
-}
-
-float Daylight::mixturePdf(const Receiver& at, Vec3f d, float sum, const Opening* known,
-                           float knownAngle) const {
-  const float map = pdfMap(d);
-  if (!(sum > 0)) return map;
-  float through = 0;
+template <class F>
+F Daylight::mixturePdf(const ReceiverT<F>& at, const Vec3T<F>& d, F sum, Int<F> known) const {
+  const F map = pdfMap(d);
+  const Mask<F> mixed = sum > 0.0f;
+  if (!any(mixed)) return map;
+  F through = 0.0f;
+  std::int32_t index = 0;
   for (const Opening& o : openings_) {
-    if (&o != known && !crosses(o, at.position, d)) continue;
-    const float w = importance(o, at);
-    if (w <= 0) continue;
-    const float solidAngle =
-        &o == known ? knownAngle : SphericalRectangle(o.corner, o.edgeU, o.edgeV, at.position).solidAngle();
-    if (solidAngle >= kLeastSolidAngle * 0.1f) through += w / solidAngle;
+    const Mask<F> crossing = mixed && (crosses(o, at.position, d) || toMask(known == index));
+    ++index;
+    if (!any(crossing)) continue;
+    const F w = importance(o, at);
+    const F solidAngle =
+        SphericalRectangleT<F>(spread<F>(o.corner), spread<F>(o.edgeU), spread<F>(o.edgeV), at.position)
+            .solidAngle();
+    through += only(crossing && solidAngle >= kLeastSolidAngle * 0.1f, w / solidAngle);
   }
-  const float byMap = mapShare(sum);
-  return byMap * map + (1 - byMap) * through / sum;
+  const F byMap = mapShare(sum);
+  return select(mixed, byMap * map + (1.0f - byMap) * through / sum, map);
 }
 
-float Daylight::pdfSky(const Receiver& at, Vec3f d) const { return hasSky_ ? mixturePdf(at, d) : 0.0f; }
-
-float Daylight::pdfSun(const Receiver& at) const { return seesSun(at) ? 1 / coneSolidAngle(sunCone_) : 0.0f; }
-
-Rgb Daylight::sunRadiance(Vec3f d) const {
-  if (!hasSun_) return {};
-  const Vec3f off = d - sun_.direction;
-  return dot(off, off) <= 2 * sunCone_ ? sunRadiance_ : Rgb{};
+template <class F>
+F Daylight::pdfSky(const ReceiverT<F>& at, const Vec3T<F>& d) const {
+  if (!hasSky_) return F(0.0f);
+  F sum = 0.0f;
+  for (const Opening& o : openings_) sum += importance(o, at);
+  return mixturePdf<F>(at, d, sum, Int<F>(-1));
 }
 
-Rgb Daylight::skyRadiance(Vec3f d) const {
-  if (!hasSky_) return {};
-  const Vec2f p = pointOf(d);
+template <class F>
+F Daylight::pdfSun(const ReceiverT<F>& at) const {
+  return only(seesSun(at), F(1 / coneSolidAngle(sunCone_)));
+}
+
+template <class F>
+Vec3T<F> Daylight::sunRadiance(const Vec3T<F>& d) const {
+  const Vec3T<F> off = d - spread<F>(sun_.direction);
+  return only(Mask<F>(hasSun_) && dot(off, off) <= 2 * sunCone_, spread<F>(sunRadiance_));
+}
+
+template <class F>
+Vec3T<F> Daylight::skyRadiance(const Vec3T<F>& d) const {
+  using namespace lane_math;
+  if (!hasSky_) return spread<F>({});
+  const Vec2T<F> p = pointOf(d);
   const int w = sky_.width, h = sky_.height;
-  const float x = p.x * static_cast<float>(w) - 0.5f, y = p.y * static_cast<float>(h) - 0.5f;
-  const float fx = std::floor(x), fy = std::floor(y);
-  const float s = x - fx, t = y - fy;
-  const int x0 = (static_cast<int>(fx) + w) % w, x1 = (x0 + 1) % w;
-  const int y0 = std::clamp(static_cast<int>(fy), 0, h - 1), y1 = std::min(static_cast<int>(fy) + 1, h - 1);
-  const auto at = [&](int column, int row) {
-    return sky_.radiance[static_cast<std::size_t>(row * w + column)];
+  const F x = p.x * static_cast<float>(w) - 0.5f, y = p.y * static_cast<float>(h) - 0.5f;
+  const F fx = floor(x), fy = floor(y);
+  const F s = x - fx, t = y - fy;
+  const Int<F> ix = toInt(fx), iy = toInt(fy);
+  const Int<F> x0 = select(toMask(ix < 0), ix + w, ix), x1 = select(toMask(ix + 1 >= w), Int<F>(0), ix + 1);
+  const Int<F> y0 = select(toMask(iy < 0), Int<F>(0), iy),
+               y1 = select(toMask(iy + 1 >= h), Int<F>(h - 1), iy + 1);
+  static_assert(sizeof(Rgb) == 3 * sizeof(float));
+  const float* texels = &sky_.radiance[0].x;
+  const auto at = [&](const Int<F>& column, const Int<F>& row) {
+    const Int<F> i = (row * w + column) * 3;
+    return Vec3T<F>{gather(texels, i), gather(texels, i + 1), gather(texels, i + 2)};
   };
-  return (at(x0, y0) * (1 - s) + at(x1, y0) * s) * (1 - t) + (at(x0, y1) * (1 - s) + at(x1, y1) * s) * t;
+  const F left = 1.0f - s, upper = 1.0f - t;
+  return (at(x0, y0) * left + at(x1, y0) * s) * upper + (at(x0, y1) * left + at(x1, y1) * s) * t;
 }
+
+// For one receiver and for lanes of them.
+#define IDAP_INSTANTIATE(F)                                                                              \
+  template Mask<F> Daylight::sampleSun(const ReceiverT<F>&, const Vec2T<F>&, LightSampleT<F>&) const;    \
+  template Mask<F> Daylight::sampleSky(const ReceiverT<F>&, F, const Vec2T<F>&, LightSampleT<F>&) const; \
+  template Mask<F> Daylight::chooseSky(const ReceiverT<F>&, F, const Vec2T<F>&, Vec3T<F>&, F&) const;    \
+  template Vec3T<F> Daylight::skyRadiance(const Vec3T<F>&) const;                                        \
+  template Vec3T<F> Daylight::sunRadiance(const Vec3T<F>&) const;                                        \
+  template F Daylight::pdfSky(const ReceiverT<F>&, const Vec3T<F>&) const;                               \
+  template F Daylight::pdfSun(const ReceiverT<F>&) const;
+IDAP_INSTANTIATE(float)
+IDAP_INSTANTIATE(Floats)
+#undef IDAP_INSTANTIATE
 
 }  // namespace idap::render

@@ -1,5 +1,5 @@
 // Sun and sky as lights. Sky directions are sampled where its picture is bright and, indoors, through the
-// portals the maker of the scene marked.
+// portals the maker of the scene marked. F: float, or Floats for one receiver a lane.
 #pragma once
 
 #include <vector>
@@ -17,20 +17,29 @@ class Daylight {
   explicit Daylight(const CompiledScene& scene);
 
   // One direction of the sun, or of the sky. False where it cannot reach the receiver.
-  bool sampleSun(const Receiver& at, Vec2f u, LightSample& sample) const;
-  bool sampleSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
+  template <class F>
+  Mask<F> sampleSun(const ReceiverT<F>& at, const Vec2T<F>& u, LightSampleT<F>& sample) const;
+  template <class F>
+  Mask<F> sampleSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u,
+                    LightSampleT<F>& sample) const;
 
-  Rgb skyRadiance(Vec3f direction) const;
-  Rgb sunRadiance(Vec3f direction) const;  // 0 off the sun's disc
+  template <class F>
+  Vec3T<F> skyRadiance(const Vec3T<F>& direction) const;
+  template <class F>
+  Vec3T<F> sunRadiance(const Vec3T<F>& direction) const;  // 0 off the sun's disc
   // Densities, per steradian, with which this direction is sampled (of the sun: any within its disc).
-  float pdfSky(const Receiver& at, Vec3f direction) const;
-  float pdfSun(const Receiver& at) const;
+  template <class F>
+  F pdfSky(const ReceiverT<F>& at, const Vec3T<F>& direction) const;
+  template <class F>
+  F pdfSun(const ReceiverT<F>& at) const;
   bool hasSun() const { return hasSun_; }
   bool hasSky() const { return hasSky_; }
   // Whether there are windows to look out of on a sunny day.
   bool looksOut() const { return hasSun_ && !openings_.empty(); }
   // A direction for sampleSky(), without asking what the sky is there.
-  bool chooseSky(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
+  template <class F>
+  Mask<F> chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u, Vec3T<F>& wi,
+                    F& pdf) const;
   std::uint16_t sunGroup() const { return sunGroup_; }
 
  private:
@@ -39,14 +48,17 @@ class Daylight {
     float inverseU2 = 0.0f, inverseV2 = 0.0f, area = 0.0f;
     bool bothSides = false;
   };
-  bool seesSun(const Receiver& at) const;
-  static float importance(const Opening& opening, const Receiver& at);
-  static bool crosses(const Opening& opening, Vec3f from, Vec3f direction);
-  float pdfMap(Vec3f direction) const;
-  float mixturePdf(const Receiver& at, Vec3f direction) const;
-  // The same where the sum of importances and the solid angle of one opening are known already.
-  float mixturePdf(const Receiver& at, Vec3f direction, float sum, const Opening* known,
-                   float solidAngle) const;
+  template <class F>
+  Mask<F> seesSun(const ReceiverT<F>& at) const;
+  template <class F>
+  static F importance(const Opening& opening, const ReceiverT<F>& at);
+  template <class F>
+  static Mask<F> crosses(const Opening& opening, const Vec3T<F>& from, const Vec3T<F>& direction);
+  template <class F>
+  F pdfMap(const Vec3T<F>& direction) const;
+  // sum: of the importances; through: openings that the direction is known to cross, -1: none.
+  template <class F>
+  F mixturePdf(const ReceiverT<F>& at, const Vec3T<F>& direction, F sum, Int<F> through) const;
 
   Sun sun_;
   Rgb sunRadiance_{};

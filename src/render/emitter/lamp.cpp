@@ -10,13 +10,15 @@ float spotExponent(const Lamp& lamp) {
   return std::log(0.5f) / std::log(std::cos(half));
 }
 
-Rgb lampIntensity(const Lamp& lamp, Vec3f direction) {
-  if (!lamp.lambertian && !(lamp.beamAngle > 0)) return lamp.intensity;
+float lampFallOff(const Lamp& lamp, Vec3f direction) {
+  if (!lamp.lambertian && !(lamp.beamAngle > 0)) return 1;
   const float cosine = dot(lamp.axis, direction);
-  if (cosine <= 0) return {};
+  if (cosine <= 0) return 0;
   const float fall = lamp.beamAngle > 0 ? std::pow(cosine, spotExponent(lamp)) : 1.0f;
-  return lamp.intensity * (lamp.lambertian ? fall * cosine : fall);
+  return lamp.lambertian ? fall * cosine : fall;
 }
+
+Rgb lampIntensity(const Lamp& lamp, Vec3f direction) { return lamp.intensity * lampFallOff(lamp, direction); }
 
 Rgb lampFlux(const Lamp& lamp) {
   const float pi = static_cast<float>(kPi);

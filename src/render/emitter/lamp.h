@@ -12,6 +12,9 @@ float spotExponent(const Lamp& lamp);
 // cd, in a direction away from the lamp (unit).
 Rgb lampIntensity(const Lamp& lamp, Vec3f direction);
 
+// The share of its intensity along the axis that goes in a direction away from the lamp (unit).
+float lampFallOff(const Lamp& lamp, Vec3f direction);
+
 // lm, everything the lamp sends out.
 Rgb lampFlux(const Lamp& lamp);
 

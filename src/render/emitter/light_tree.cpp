@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "render/lanes/lane_math.h"
+
 namespace idap::render {
 
 namespace {
@@ -212,8 +214,11 @@ float LightTree::judge(const Node& node, const Receiver& at, float (&importance)
 }
 
 LightTree::Choice LightTree::choose(const Receiver& at, float u) const {
-  Choice choice{0, 1.0f, u};
-  for (std::uint32_t node = 0;;) {
+  return descend(0, at, {0, 1.0f, u});
+}
+
+LightTree::Choice LightTree::descend(std::uint32_t node, const Receiver& at, Choice choice) const {
+  for (;;) {
     float importance[kWidth];
     const float sum = judge(nodes_[node], at, importance);
     if (!(sum > 0)) return {};
@@ -236,6 +241,53 @@ LightTree::Choice LightTree::choose(const Receiver& at, float u) const {
     }
     node = child;
   }
+}
+
+// All begin at the root, which is judged for all lanes at once; below it each goes its own way.
+void LightTree::choose(LaneMask active, const LaneReceiver& at, const Floats& u,
+                       Choice (&choices)[kLanes]) const {
+  using namespace lane_math;
+  const Node& root = nodes_[0];
+  Floats importance[kWidth], sum = 0.0f;
+  for (int k = 0; k < kWidth; ++k) {
+    importance[k] = 0.0f;
+    if (!(root.intensity[k] > 0)) continue;
+    const LaneVec to = spread<Floats>({root.x[k], root.y[k], root.z[k]}) - at.position;
+    const Floats l2 = dot(to, to);
+    const Floats inverse = min(inverseSqrt(max(l2, 1e-12f)), 1 / std::max(root.radius[k], 1e-6f));
+    const Floats size = broadcast(root.radius[k]) * inverse;
+    const Floats a = -dot(spread<Floats>({root.axisX[k], root.axisY[k], root.axisZ[k]}), to) * inverse;
+    const Floats cosLight = max(a, broadcast(root.backSign[k]) * a) + (root.slack[k] + size);
+    const Floats r = dot(at.normal, to) * inverse;
+    const Floats cosHere = select(at.bothSides, abs(r), r) + size;
+    importance[k] = broadcast(root.intensity[k]) * (inverse * inverse) * clamp(cosLight, 0.0f, 1.0f) *
+                    clamp(cosHere, 0.0f, 1.0f);
+    sum += importance[k];
+  }
+  Floats rest = u * sum, chosen = 0.0f;
+  Ints place = 0;
+  LaneMask open = active && sum > 0.0f;
+  for (int k = 0; k < kWidth; ++k) {
+    const LaneMask takes = open && importance[k] > 0.0f;
+    place = select(takes, Ints(k), place);
+    chosen = select(takes, importance[k], chosen);
+    open = open && !(takes && rest < importance[k]);
+    rest = select(takes && open, rest - importance[k], rest);
+  }
+  // Rounding may have led past the last one.
+  const Floats left = clamp(Floats(select(open, Floats(1.0f), rest / chosen)), 0.0f, 0.99999994f);
+  const Floats probability = chosen / sum;
+  forLanes(active, [&](int k) {
+    Choice& choice = choices[k];
+    choice = {};
+    if (!(lane(chosen, k) > 0)) return;
+    choice = {0, lane(probability, k), lane(left, k)};
+    const std::uint32_t child = root.child[lane(place, k)];
+    if (child & kLeaf)
+      choice.light = child & ~kLeaf;
+    else
+      choice = descend(child, {lane(at.position, k), lane(at.normal, k), lane(at.bothSides, k)}, choice);
+  });
 }
 
 float LightTree::probability(const Receiver& at, std::uint32_t light) const {

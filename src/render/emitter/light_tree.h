@@ -35,6 +35,8 @@ class LightTree {
     float u = 0.0f;            // what is left of the random number, uniform again
   };
   Choice choose(const Receiver& at, float u) const;
+  // The same for each lane that the mask has.
+  void choose(LaneMask active, const LaneReceiver& at, const Floats& u, Choice (&choices)[kLanes]) const;
   float probability(const Receiver& at, std::uint32_t light) const;
 
  private:
@@ -51,6 +53,8 @@ class LightTree {
     std::uint32_t parent;         // node * kWidth + place; of the root kNoParent
   };
   static constexpr std::uint32_t kLeaf = 0x80000000u, kNoParent = 0xffffffffu;
+
+  Choice descend(std::uint32_t node, const Receiver& at, Choice choice) const;
 
   struct Builder;
   // Fills in the importance of each child; returns their sum.

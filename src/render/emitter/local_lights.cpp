@@ -90,29 +90,101 @@ void LocalLights::addTriangles(const CompiledScene& scene, std::uint32_t i,
 }
 
 bool LocalLights::sample(const Receiver& at, float choice, Vec2f u, LightSample& s) const {
-  const LightTree::Choice chosen = tree_.choose(at, choice);
-  if (!(chosen.probability > 0)) return false;
-  if (chosen.light < lampCount_) {
-    if (!sampleLamp(at, chosen.light, u, s)) return false;
-    s.weight *= 1 / chosen.probability;
-    s.pdf *= chosen.probability;
-    return true;
-  }
-  const Triangle& light = triangles_[chosen.light - lampCount_];
-  const Vec2f b = uniformTriangle(u);
-  const Vec3f to = light.corner + light.edge1 * b.x + light.edge2 * b.y - at.position;
-  const float d2 = dot(to, to);
-  if (!(d2 > 1e-10f)) return false;
-  s.distance = std::sqrt(d2);
-  s.wi = to * (1 / s.distance);
-  float cosine = -dot(light.normal, s.wi);
-  if (!light.frontOnly) cosine = std::fabs(cosine);
-  if (cosine <= 1e-6f) return false;
-  s.pdf = chosen.probability * light.inverseArea * d2 / cosine;
-  s.weight = light.radiance * (1 / s.pdf);
-  s.lightGroup = light.lightGroup;
-  if (light.mayPass) s.weight *= opacityAt(light, b);
+  LaneMask one(false);
+  one[0] = true;
+  const LaneReceiver there{toLanes(at.position), toLanes(at.normal), LaneMask(at.bothSides)};
+  LightSampleT<Floats> lanes;
+  if (!lane(sample(one, there, choice, {u.x, u.y}, lanes), 0)) return false;
+  s = {lane(lanes.wi, 0), lane(lanes.distance, 0), lane(lanes.weight, 0), lane(lanes.pdf, 0),
+       lane(lanes.lightGroup, 0)};
   return true;
+}
+
+namespace {
+
+// The lights that lanes have chosen: lamps, or triangles.
+struct ChosenLights {
+  LaneArray3 position, edge1, edge2, normal;  // of a triangle its corner; its normal
+  LaneArray3 radiance;                        // of a lamp its intensity
+  LaneArray radius, inverseArea, twoSided, probability, triangle, group;
+};
+
+}  // namespace
+
+LaneMask LocalLights::sample(LaneMask active, const LaneReceiver& at, Floats choice, const LaneVec2& u,
+                             LightSampleT<Floats>& s) const {
+  using namespace lane_math;
+  LightTree::Choice choices[kLanes];
+  tree_.choose(active, at, choice, choices);
+  ChosenLights c;
+  for (int k = 0; k < kLanes; ++k) {
+    const LightTree::Choice none{};
+    const LightTree::Choice& one = lane(active, k) ? choices[k] : none;
+    c.probability[k] = one.probability;
+    const bool isTriangle = one.light >= lampCount_;
+    c.triangle[k] = isTriangle;
+    if (isTriangle) {
+      const Triangle& light = triangles_[one.light - lampCount_];
+      c.position.set(k, light.corner), c.edge1.set(k, light.edge1), c.edge2.set(k, light.edge2);
+      c.normal.set(k, light.normal), c.radiance.set(k, light.radiance);
+      c.inverseArea[k] = light.inverseArea, c.twoSided[k] = !light.frontOnly, c.radius[k] = 0;
+      c.group[k] = light.lightGroup;
+    } else {
+      const Lamp& lamp = scene_.scene().lamps[one.light];
+      c.position.set(k, lamp.position), c.edge1.set(k, {}), c.edge2.set(k, {});
+      c.normal.set(k, {0, 0, 1}), c.radiance.set(k, lamp.intensity);
+      c.inverseArea[k] = 0, c.twoSided[k] = 0, c.radius[k] = lamp.radius;
+      c.group[k] = lamp.lightGroup;
+    }
+  }
+  const Floats probability = c.probability, radius = c.radius;
+  const LaneMask isTriangle = Floats(c.triangle) > 0.0f, isSphere = radius > 0.0f;
+  LaneMask found = active && probability > 0.0f;
+  const LaneVec2 b = uniformTriangle(u);
+  const LaneVec to = LaneVec(c.position) + LaneVec(c.edge1) * b.x + LaneVec(c.edge2) * b.y - at.position;
+  const Floats d2 = dot(to, to), inverse = inverseSqrt(max(d2, 1e-20f));
+  found = found && d2 > max(radius * radius, 1e-10f);
+  s.distance = d2 * inverse;
+  s.wi = to * inverse;
+  s.pdf = 0.0f;
+  s.weight = c.radiance;
+  s.lightGroup = toInt(Floats(c.group));
+  const LaneMask triangles = found && isTriangle, spheres = found && isSphere;
+  if (any(triangles)) {
+    Floats cosine = -dot(LaneVec(c.normal), s.wi);
+    cosine = select(Floats(c.twoSided) > 0.0f, abs(cosine), cosine);
+    found = found && !(isTriangle && cosine <= 1e-6f);
+    s.pdf = select(isTriangle, probability * Floats(c.inverseArea) * d2 / cosine, s.pdf);
+    s.weight = select(isTriangle, s.weight * Floats(1.0f / s.pdf), s.weight);
+  }
+  if (any(spheres)) {
+    const Floats sin2 = min(radius * radius * inverse * inverse, 1.0f);
+    const Floats cone = sin2 / (1.0f + sqrt(1.0f - sin2));
+    const LaneVec wi = FrameT<Floats>(s.wi).toWorld(uniformCone(u, cone));
+    s.wi = select(isSphere, wi, s.wi);
+    const Floats along = dot(wi, to);
+    const Floats inside = max(radius * radius - max(d2 - along * along, 0.0f), 0.0f);
+    s.distance = select(isSphere, max(along - sqrt(inside), 0.0f), s.distance);
+    const Floats solidAngle = coneSolidAngle(cone);
+    s.pdf = select(isSphere, probability / solidAngle, s.pdf);
+    s.weight =
+        select(isSphere, s.weight * Floats(solidAngle / (kPiF * radius * radius * probability)), s.weight);
+  }
+  const LaneMask points = !isTriangle && !isSphere;
+  if (any(points)) s.weight = select(points, s.weight * Floats(inverse * inverse / probability), s.weight);
+  // Few shine differently to different sides, or have gaps.
+  LaneArray factor(1.0f);
+  forLanes(found, [&](int k) {
+    const std::uint32_t light = choices[k].light;
+    if (light >= lampCount_) {
+      const Triangle& t = triangles_[light - lampCount_];
+      if (t.mayPass) factor[k] = opacityAt(t, {lane(b.x, k), lane(b.y, k)});
+    } else {
+      factor[k] = lampFallOff(scene_.scene().lamps[light], -lane(s.wi, k));
+    }
+  });
+  s.weight *= Floats(factor);
+  return found && maxComponent(s.weight) > 0.0f;
 }
 
 float LocalLights::opacityAt(const Triangle& light, Vec2f b) const {
@@ -125,46 +197,20 @@ float LocalLights::opacityAt(const Triangle& light, Vec2f b) const {
   return valuesAt(scene_.surface(light.surface), uv).opacity;
 }
 
-bool LocalLights::sampleLamp(const Receiver& at, std::uint32_t index, Vec2f u, LightSample& s) const {
-  const Lamp& lamp = scene_.scene().lamps[index];
-  const Vec3f to = lamp.position - at.position;
-  const float d2 = dot(to, to);
-  s.lightGroup = lamp.lightGroup;
-  if (lamp.radius > 0) {
-    if (d2 <= lamp.radius * lamp.radius) return false;
-    const float cone = sphereCone(lamp.radius, d2);
-    const Frame frame(to * (1 / std::sqrt(d2)));
-    s.wi = frame.toWorld(uniformCone(u, cone));
-    const float along = dot(s.wi, to);
-    const float inside = std::max(0.0f, lamp.radius * lamp.radius - std::max(0.0f, d2 - along * along));
-    s.distance = std::max(along - std::sqrt(inside), 0.0f);
-    s.pdf = 1 / coneSolidAngle(cone);
-    s.weight = lampRadiance(index, s.wi) * coneSolidAngle(cone);
-  } else {
-    if (!(d2 > 1e-10f)) return false;
-    s.distance = std::sqrt(d2);
-    s.wi = to * (1 / s.distance);
-    s.pdf = 0;
-    s.weight = lampIntensity(lamp, -s.wi) * (1 / d2);
-  }
-  return maxComponent(s.weight) > 0;
-}
-
 Rgb LocalLights::lampRadiance(std::uint32_t index, Vec3f rayDirection) const {
   const Lamp& lamp = scene_.scene().lamps[index];
   return lampIntensity(lamp, -rayDirection) * (1 / (kPiF * lamp.radius * lamp.radius));
 }
 
-float LocalLights::pdfTriangle(const Receiver& at, const Ray& ray, const Hit& hit,
-                               const Interaction& on) const {
+float LocalLights::pdfTriangle(const Receiver& at, const Ray& ray, const Hit& hit, bool frontFace) const {
   const auto& table = lightOfTriangle_[hit.instance];
   if (table.empty() || table[hit.triangle] == kNone) return 0;
   const std::uint32_t index = table[hit.triangle];
   const Triangle& light = triangles_[index - lampCount_];
-  if (light.frontOnly && !on.frontFace) return 0;
+  if (light.frontOnly && !frontFace) return 0;
   const float cosine = std::fabs(dot(light.normal, ray.direction));
   if (cosine <= 1e-6f) return 0;
-  const Vec3f to = on.position - at.position;
+  const Vec3f to = ray.origin + ray.direction * hit.t - at.position;
   return tree_.probability(at, index) * light.inverseArea * dot(to, to) / cosine;
 }
 

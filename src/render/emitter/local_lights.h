@@ -6,6 +6,7 @@
 
 #include "render/accel/interaction.h"
 #include "render/accel/ray.h"
+#include "render/emitter/light_sample.h"
 #include "render/emitter/light_tree.h"
 #include "render/scene.h"
 
@@ -23,9 +24,13 @@ class LocalLights {
   // False where nothing can reach the receiver.
   bool sample(const Receiver& at, float choice, Vec2f u, LightSample& sample) const;
 
+  // One sample a lane for those that the mask has; the lanes that found one.
+  LaneMask sample(LaneMask active, const LaneReceiver& at, Floats choice, const LaneVec2& u,
+                  LightSampleT<Floats>& sample) const;
+
   // The density, per steradian at the receiver, with which sample() would have found this point of an
   // emissive triangle or of a lamp's sphere, seen from the receiver along the ray.
-  float pdfTriangle(const Receiver& at, const Ray& ray, const Hit& hit, const Interaction& on) const;
+  float pdfTriangle(const Receiver& at, const Ray& ray, const Hit& hit, bool frontFace) const;
   float pdfLamp(const Receiver& at, std::uint32_t lamp) const;
 
   // Radiance that a lamp's sphere sends against the direction of a ray that hits it from outside.
@@ -44,7 +49,6 @@ class LocalLights {
   };
   void addTriangles(const CompiledScene& scene, std::uint32_t instance, std::vector<LightBounds>& bounds);
   float opacityAt(const Triangle& light, Vec2f barycentric) const;
-  bool sampleLamp(const Receiver& at, std::uint32_t lamp, Vec2f u, LightSample& sample) const;
 
   const CompiledScene& scene_;
   std::size_t lampCount_ = 0;

@@ -93,67 +93,67 @@ void SunPatches::cluster(std::vector<Spot>& spots) {
     *widest = group(whole.from, cut);
     groups.push_back(group(cut, whole.to));
   }
-  for (std::size_t k = 0; k < groups.size(); ++k) {
-    const Group& g = groups[k];
+  for (const Group& g : groups) {
     Vec3f normal{};
     for (std::size_t i = g.from; i < g.to; ++i) normal = normal + spots[i].normal * (spots[i].flux / g.flux);
-    const Vec3f c = g.box.centre();
-    x_[k] = c.x, y_[k] = c.y, z_[k] = c.z;
-    radius_[k] = g.radius + kMargin;
-    flux_[k] = g.flux;
-    normalX_[k] = normal.x, normalY_[k] = normal.y, normalZ_[k] = normal.z;
-    slack_[k] = std::max(0.0f, 1 - length(normal));
+    patches_.push_back(
+        {g.box.centre(), g.radius + kMargin, g.flux, normal, std::max(0.0f, 1 - length(normal))});
     total_ += g.flux;
   }
 }
 
-SunPatchView::SunPatchView(const SunPatches& p, const Receiver& at) {
-  const float px = at.position.x, py = at.position.y, pz = at.position.z;
-  const float nx = at.normal.x, ny = at.normal.y, nz = at.normal.z;
-  const float behind = at.bothSides ? -1.0f : 1.0f;
-  for (int k = 0; k < kMost; ++k) {
-    const float x = p.x_[k] - px, y = p.y_[k] - py, z = p.z_[k] - pz;
-    const float d2 = std::max(x * x + y * y + z * z, 1e-12f);
-    const float inverse = 1 / std::sqrt(d2);
-    const float sine = p.radius_[k] * inverse;
-    x_[k] = x * inverse, y_[k] = y * inverse, z_[k] = z * inverse;
-    const float sin2 = std::min(sine * sine, 1.0f);
-    oneMinusCos_[k] = std::max(sin2 / (1 + std::sqrt(1 - sin2)), 1e-7f);
-    const float cosLight =
-        p.slack_[k] + sine - (p.normalX_[k] * x + p.normalY_[k] * y + p.normalZ_[k] * z) * inverse;
-    const float r = (nx * x + ny * y + nz * z) * inverse;
-    const float cosHere = std::max(r, behind * r) + sine;
+template <class F>
+SunPatchViewT<F>::SunPatchViewT(const SunPatches& p, const ReceiverT<F>& at)
+    : count_(static_cast<int>(p.patches_.size())) {
+  using namespace lane_math;
+  for (int k = 0; k < count_; ++k) {
+    const SunPatches::Patch& patch = p.patches_[static_cast<std::size_t>(k)];
+    const Vec3T<F> to = spread<F>(patch.centre) - at.position;
+    const F inverse = inverseSqrt(max(dot(to, to), 1e-12f));
+    const F sine = patch.radius * inverse;
+    const Vec3T<F> d = to * inverse;
+    const F sin2 = sine * sine;
+    const F cosLight = patch.slack + sine - dot(spread<F>(patch.normal), d);
+    const F r = dot(at.normal, d);
+    const F cosHere = select(at.bothSides, abs(r), r) + sine;
     // From within, a patch cannot be aimed at; ordinary bounces find it.
-    const float outside = sine < 0.95f ? 1.0f : 0.0f;
-    weight_[k] = outside * p.flux_[k] * inverse * inverse * std::min(std::max(cosLight, 0.0f), 1.0f) *
-                 std::min(std::max(cosHere, 0.0f), 1.0f);
-    density_[k] = weight_[k] / (2 * kPiF * oneMinusCos_[k]);
+    weight_[k] = only(sine < 0.95f, patch.flux * inverse * inverse * clamp(cosLight, 0.0f, 1.0f) *
+                                        clamp(cosHere, 0.0f, 1.0f));
+    direction_[k] = d;
+    // About 1 - sqrt(1 - sin2); any cone will do, as long as samples and densities agree on it.
+    oneMinusCos_[k] = max(0.5f * sin2 * (1.0f + 0.25f * sin2 * (1.0f + sin2)), 1e-7f);
+    sum_ += weight_[k];
   }
-  for (const float w : weight_) sum_ += w;
 }
 
-float SunPatchView::pdf(Vec3f d) const {
-  float inside[kMost];
-  for (int k = 0; k < kMost; ++k) {
-    const float off = 1 - (x_[k] * d.x + y_[k] * d.y + z_[k] * d.z);
-    inside[k] = off <= oneMinusCos_[k] ? density_[k] : 0.0f;
+template <class F>
+F SunPatchViewT<F>::pdf(const Vec3T<F>& d) const {
+  F sum = 0.0f;
+  for (int k = 0; k < count_; ++k) {
+    const Mask<F> inside = 1.0f - dot(direction_[k], d) <= oneMinusCos_[k];
+    if (any(inside)) sum += only(inside, weight_[k] / oneMinusCos_[k]);
   }
-  float sum = 0;
-  for (const float i : inside) sum += i;
-  return sum / sum_;
+  return select(sum_ > 0.0f, sum / (2 * kPiF * sum_), F(0.0f));
 }
 
-Vec3f SunPatchView::sample(float choice, Vec2f u) const {
-  float rest = choice * sum_;
-  int chosen = 0;
-  for (int k = 0; k < kMost; ++k) {
-    if (weight_[k] <= 0) continue;
-    chosen = k;
-    if (rest < weight_[k]) break;
-    rest -= weight_[k];
+template <class F>
+Vec3T<F> SunPatchViewT<F>::sample(F choice, const Vec2T<F>& u) const {
+  F rest = choice * sum_;
+  Mask<F> open(true);
+  Vec3T<F> direction = spread<F>({0, 0, 1});
+  F oneMinusCos = 1e-7f;
+  for (int k = 0; k < count_; ++k) {
+    const Mask<F> takes = open && weight_[k] > 0.0f;
+    direction = select(takes, direction_[k], direction);
+    oneMinusCos = select(takes, oneMinusCos_[k], oneMinusCos);
+    open = open && !(takes && rest < weight_[k]);
+    rest = select(takes && open, rest - weight_[k], rest);
   }
   // A hair inside the cone, so that pdf() agrees.
-  return Frame({x_[chosen], y_[chosen], z_[chosen]}).toWorld(uniformCone(u, oneMinusCos_[chosen] * 0.9999f));
+  return FrameT<F>(direction).toWorld(uniformCone(u, F(oneMinusCos * 0.9999f)));
 }
+
+template class SunPatchViewT<float>;
+template class SunPatchViewT<Floats>;
 
 }  // namespace idap::render

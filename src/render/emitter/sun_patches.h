@@ -20,38 +20,46 @@ class SunPatches {
   bool empty() const { return !(total_ > 0); }
 
  private:
-  friend class SunPatchView;
+  template <class F>
+  friend class SunPatchViewT;
   struct Spot {
     Vec3f position, normal;
     float flux = 0.0f;
   };
   void cluster(std::vector<Spot>& spots);
 
-  // Spheres around groups of spots, each quantity side by side; unused ones have no flux.
-  alignas(32) float x_[kMost] = {}, y_[kMost] = {}, z_[kMost] = {};
-  float radius_[kMost] = {};
-  float flux_[kMost] = {};
-  float normalX_[kMost] = {}, normalY_[kMost] = {}, normalZ_[kMost] = {};  // means of unit normals
-  float slack_[kMost] = {};                                                // how far the normals differ
+  // A sphere around a group of spots.
+  struct Patch {
+    Vec3f centre;
+    float radius = 0.0f, flux = 0.0f;
+    Vec3f normal;        // the mean of the spots' unit normals
+    float slack = 0.0f;  // how far those differ
+  };
+  std::vector<Patch> patches_;  // at most kMost
   float total_ = 0.0f;
 };
 
-// The patches as one point sees them: a density over directions, a mixture of cones.
-class SunPatchView {
+// The patches as a point sees them: a density over directions, a mixture of cones. F: float, or Floats for
+// one point a lane.
+template <class F>
+class SunPatchViewT {
  public:
-  SunPatchView(const SunPatches& patches, const Receiver& at);
+  SunPatchViewT(const SunPatches& patches, const ReceiverT<F>& at);
 
-  bool empty() const { return !(sum_ > 0); }
-  float pdf(Vec3f direction) const;  // 1/sr
-  Vec3f sample(float choice, Vec2f u) const;
+  Mask<F> empty() const { return !(sum_ > 0.0f); }
+  F pdf(const Vec3T<F>& direction) const;  // 1/sr
+  Vec3T<F> sample(F choice, const Vec2T<F>& u) const;
 
  private:
-  static constexpr int kMost = SunPatches::kMost;
-  alignas(32) float x_[kMost], y_[kMost], z_[kMost];  // unit directions to the middles
-  float oneMinusCos_[kMost];
-  float weight_[kMost];
-  float density_[kMost];  // weight over solid angle
-  float sum_ = 0.0f;
+  int count_;
+  Vec3T<F> direction_[SunPatches::kMost];  // to the middles, unit
+  F oneMinusCos_[SunPatches::kMost];
+  F weight_[SunPatches::kMost];
+  F sum_ = 0.0f;
 };
+using SunPatchView = SunPatchViewT<float>;
+
+extern template class SunPatchViewT<float>;
+extern template class SunPatchViewT<Floats>;
 
 }  // namespace idap::render

@@ -1,6 +1,7 @@
 #include "render/integrator/outlook.h"
 
 #include "render/material/bsdf.h"
+#include "render/sampling/warp.h"
 
 namespace idap::render {
 
@@ -9,68 +10,90 @@ namespace {
 constexpr float kPatchShare = 0.5f;  // of looks, where patches of sun are in view
 constexpr int kMostPanes = 8;        // of glass that a look goes through
 
+// What part of the light goes straight through the surfaces.
+LaneVec straightThrough(LaneMask active, const LaneVec& direction, const LanePoints& points) {
+  LaneArray3 through(spread<Floats>({}));
+  forLanes(active, [&](int k) {
+    const SurfaceData& surface = *points.surface[k];
+    if (surface.opaqueToShadows) return;
+    const SurfaceValues values{lane(points.shading.baseColor, k), lane(points.shading.roughness, k),
+                               lane(points.opacity, k)};
+    const float cosine = std::min(std::fabs(dot(lane(points.shading.ng, k), lane(direction, k))), 1.0f);
+    through.set(k, straightTransmittance(surface, values, cosine));
+  });
+  return through;
+}
+
 }  // namespace
 
-Outlook::Outlook(const CompiledScene& scene, const Receiver& at)
+template <class F>
+OutlookT<F>::OutlookT(const CompiledScene& scene, const ReceiverT<F>& at)
     : daylight_(scene.lights().daylight()), at_(at), patches_(scene.lights().sunPatches(), at) {
-  patchShare_ = patches_.empty() ? 0.0f : daylight_.hasSky() ? kPatchShare : 1.0f;
+  patchShare_ = only(!patches_.empty(), F(daylight_.hasSky() ? kPatchShare : 1.0f));
 }
 
-bool Outlook::sample(float choice, Vec2f u, Vec3f& direction, float& pdf) const {
-  if (choice < patchShare_) {
-    direction = patches_.sample(choice / patchShare_, u);
-    pdf = this->pdf(direction);
-  } else {
-    if (patchShare_ >= 1) return false;
-    LightSample light;
-    if (!daylight_.chooseSky(at_, std::min((choice - patchShare_) / (1 - patchShare_), 0.99999994f), u,
-                             light))
-      return false;
-    direction = light.wi;
-    pdf = (1 - patchShare_) * light.pdf;
-    if (patchShare_ > 0) pdf += patchShare_ * patches_.pdf(direction);
+template <class F>
+Mask<F> OutlookT<F>::sample(F choice, const Vec2T<F>& u, Vec3T<F>& direction, F& pdf) const {
+  const Mask<F> aims = choice < patchShare_;
+  Mask<F> found = aims;
+  direction = patches_.sample(F(choice / patchShare_), u);
+  pdf = 0.0f;
+  if (daylight_.hasSky() && !every(aims)) {
+    Vec3T<F> up = direction;
+    F density = 0.0f;
+    const F rest = lane_math::min(F((choice - patchShare_) / (1.0f - patchShare_)), kOneMinusEpsilon);
+    found = found || daylight_.chooseSky<F>(at_, rest, u, up, density);
+    direction = select(aims, direction, up);
+    pdf = (1.0f - patchShare_) * density;
   }
-  return pdf > 0;
+  // The sky's density is known where it was chosen.
+  if (any(aims && patchShare_ < 1.0f))
+    pdf = select(aims, (1.0f - patchShare_) * daylight_.pdfSky(at_, direction), pdf);
+  pdf += only(patchShare_ > 0.0f, patchShare_ * patches_.pdf(direction));
+  return found && pdf > 0.0f;
 }
 
-float Outlook::pdf(Vec3f direction) const {
-  float pdf = (1 - patchShare_) * daylight_.pdfSky(at_, direction);
-  if (patchShare_ > 0) pdf += patchShare_ * patches_.pdf(direction);
-  return pdf;
+template <class F>
+F OutlookT<F>::pdf(const Vec3T<F>& direction) const {
+  return (1.0f - patchShare_) * daylight_.pdfSky(at_, direction) +
+         only(patchShare_ > 0.0f, patchShare_ * patches_.pdf(direction));
 }
 
-Outlook::Seen Outlook::look(const CompiledScene& scene, Vec3f origin, Vec3f direction, Vec2f u,
-                            std::uint32_t& rays) {
+template class OutlookT<float>;
+template class OutlookT<Floats>;
+
+Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, const LaneVec& direction,
+          const LaneVec2& u, Ints& rays) {
   const Daylight& daylight = scene.lights().daylight();
-  Seen seen;
-  Rgb through{1, 1, 1};
-  Ray ray{origin, direction};
-  for (int sheet = 0; sheet <= kMostPanes; ++sheet) {
-    Hit hit;
-    ++rays;
-    if (!scene.intersect(ray, hit, kSeenByLight)) {
-      seen.sky = daylight.skyRadiance(direction) * through;
-      return seen;
-    }
-    const Interaction at = scene.interaction(ray, hit);
-    const SurfaceValues values = valuesAt(*at.surface, at.uv);
-    const Vec3f wo = -direction;
-    const float cosine = std::min(std::fabs(dot(at.ng, wo)), 1.0f);
-    const Rgb straight =
-        at.surface->opaqueToShadows ? Rgb{} : straightTransmittance(*at.surface, values, cosine);
-    const Bsdf bsdf(at, values, wo);
-    LightSample sun;
-    if (bsdf.scatters() && daylight.sampleSun({at.position, at.ng, bsdf.seesBehind()}, u, sun)) {
-      Rgb value = bsdf.eval(sun.wi).value * sun.weight * through * values.opacity;
-      if (at.smooth) value *= terminator(at, sun.wi);
-      if (maxComponent(value) > 0) {
-        ++rays;
-        seen.sun += value * scene.transmittance({at.originTowards(sun.wi), sun.wi});
+  Seen seen{spread<Floats>({}), spread<Floats>({})};
+  LaneVec through = spread<Floats>({1, 1, 1});
+  LaneRays ray{origin, direction};
+  for (int sheet = 0; sheet <= kMostPanes && any(active); ++sheet) {
+    LaneHits hits;
+    rays = select(active, rays + 1, rays);
+    scene.intersect(active, ray, hits, Words(kSeenByLight));
+    const LaneMask out = active && !hits.found;
+    if (any(out)) seen.sky = select(out, daylight.skyRadiance(direction) * through, seen.sky);
+    active = active && hits.found;
+    if (!any(active)) break;
+    LanePoints at;
+    scene.points(active, ray, hits, at);
+    const BsdfT<Floats> bsdf(at.shading, -direction);
+    LightSampleT<Floats> sun;
+    const LaneReceiver here{at.position, at.shading.ng, bsdf.seesBehind()};
+    LaneMask lit = active && bsdf.scatters() && daylight.sampleSun(here, u, sun);
+    if (any(lit)) {
+      const LaneVec value =
+          bsdf.eval(sun.wi).value * sun.weight * through * Floats(at.opacity * at.terminatorFor(sun.wi));
+      lit = lit && maxComponent(value) > 0.0f;
+      if (any(lit)) {
+        rays = select(lit, rays + 1, rays);
+        seen.sun += only(lit, value * scene.transmittance(lit, {at.originTowards(sun.wi), sun.wi}));
       }
     }
-    through *= straight;
-    if (!(maxComponent(through) > 1e-4f)) return seen;
-    ray.tMin = hit.t * 1.000002f + 1e-7f;
+    through *= straightThrough(active, direction, at);
+    active = active && maxComponent(through) > 1e-4f;
+    ray.tMin = hits.t * 1.000002f + 1e-7f;
   }
   return seen;
 }

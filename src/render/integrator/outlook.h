@@ -8,26 +8,34 @@
 
 namespace idap::render {
 
-class Outlook {
+// F: float, or Floats for one point a lane.
+template <class F>
+class OutlookT {
  public:
-  Outlook(const CompiledScene& scene, const Receiver& at);
+  OutlookT(const CompiledScene& scene, const ReceiverT<F>& at);
 
   // A direction worth looking in; false where there is none.
-  bool sample(float choice, Vec2f u, Vec3f& direction, float& pdf) const;
-  float pdf(Vec3f direction) const;  // 1/sr
-
-  // What a look finds, cd/m2: the sky if nothing is in between, and sunlight on the first surface, both
-  // weakened by the glass they come through. Counts the rays that it takes.
-  struct Seen {
-    Rgb sky{}, sun{};
-  };
-  static Seen look(const CompiledScene& scene, Vec3f origin, Vec3f direction, Vec2f u, std::uint32_t& rays);
+  Mask<F> sample(F choice, const Vec2T<F>& u, Vec3T<F>& direction, F& pdf) const;
+  F pdf(const Vec3T<F>& direction) const;  // 1/sr
 
  private:
   const Daylight& daylight_;
-  Receiver at_;
-  SunPatchView patches_;
-  float patchShare_;
+  ReceiverT<F> at_;
+  SunPatchViewT<F> patches_;
+  F patchShare_;
 };
+using Outlook = OutlookT<float>;
+
+extern template class OutlookT<float>;
+extern template class OutlookT<Floats>;
+
+// What looks find, cd/m2: the sky if nothing is in between, and sunlight on the first surface, both weakened
+// by the glass they come through.
+struct Seen {
+  LaneVec sky, sun;
+};
+// From those lanes that the mask has. Adds the rays that it takes.
+Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, const LaneVec& direction,
+          const LaneVec2& u, Ints& rays);
 
 }  // namespace idap::render

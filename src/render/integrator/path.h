@@ -1,18 +1,17 @@
 // Backward path tracing: light sampling and surface sampling joined by multiple importance sampling (power
 // heuristic, Veach 1997), paths ended by Russian roulette only, so that the mean is right at any reflectance.
+// Paths are followed side by side, one a lane; what one brings does not depend on its neighbours.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/accel/compiled_scene.h"
 #include "render/cache/light_cache.h"
-#include "render/emitter/light_sample.h"
 #include "render/sampling/sampler.h"
 
 namespace idap::render {
-
-class Bsdf;
 
 // Which strategies find light; all but Both are for checking that they agree.
 enum class LightSampling { Both, SurfacesOnly, LightsOnly };
@@ -25,6 +24,12 @@ struct PathOptions {
   // Where light that has bounced before is taken from; null: paths are followed to their end. Its light
   // counts to group 0.
   const LightCache* cache = nullptr;
+};
+
+// A path's beginning: the ray from the camera and the random numbers that are left.
+struct PathStart {
+  Ray ray;
+  SamplerT<float> sampler;
 };
 
 // What one path brings. Features are those of the first surface that is not clear glass or a mirror.
@@ -42,28 +47,21 @@ class PathTracer {
   explicit PathTracer(const CompiledScene& scene, PathOptions options = {})
       : scene_(scene), options_(options) {}
 
-  // groups: null, or one sum a light group, to which the path's light is added.
-  PathSample trace(const Ray& cameraRay, Sampler& sampler, Rgb* groups = nullptr,
-                   std::size_t groupCount = 0) const;
+  // How many paths are best followed in one call.
+  static constexpr std::size_t kBatch = 1024;
 
-  // Traces a path and adds what it has learned of the light to the records.
-  void learn(const Ray& cameraRay, Sampler& sampler, std::vector<CacheRecord>& records) const;
+  // Follows the paths; samples: one each. groups: empty, or equally many sums a path, one a light group, to
+  // which its light is added.
+  void trace(std::span<const PathStart> starts, std::span<PathSample> samples,
+             std::span<Rgb> groups = {}) const;
 
-  // One estimate of the illuminance (lux) at a point that faces along normal (unit).
-  Rgb illuminance(Vec3f point, Vec3f normal, Sampler& sampler) const;
+  // Traces paths and adds what they have learned of the light to the records.
+  void learn(std::span<const PathStart> starts, std::vector<CacheRecord>& records) const;
+
+  // Estimates of the illuminance (lux) at a point that faces along normal (unit), one a sampler.
+  void illuminance(Vec3f point, Vec3f normal, std::span<const Sampler> samplers, std::span<Rgb> lux) const;
 
  private:
-  struct Walk;
-  struct Lesson;
-  void follow(Walk& walk) const;
-  bool arrive(Walk& walk) const;
-  void addEmission(Walk& walk, const Hit& hit) const;
-  void addSky(Walk& walk) const;
-  bool passLamp(Walk& walk, const Hit& hit) const;
-  bool scatter(Walk& walk) const;
-  bool takeFromCache(Walk& walk, const Bsdf& bsdf) const;
-  void lookOut(Walk& walk, const Bsdf& bsdf, const Receiver& here, float choice, float lookShare) const;
-
   const CompiledScene& scene_;
   PathOptions options_;
 };

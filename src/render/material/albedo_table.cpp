@@ -10,8 +10,16 @@ namespace idap::render {
 
 namespace {
 
-AlbedoTerms mix(AlbedoTerms a, AlbedoTerms b, float t) {
+template <class F>
+AlbedoTermsT<F> mix(const AlbedoTermsT<F>& a, const AlbedoTermsT<F>& b, F t) {
   return {a.base + (b.base - a.base) * t, a.edge + (b.edge - a.edge) * t};
+}
+
+template <class F>
+AlbedoTermsT<F> read(const AlbedoTerms* table, Int<F> index) {
+  static_assert(sizeof(AlbedoTerms) == 2 * sizeof(float));
+  const float* base = &table->base;
+  return {gather(base, index * 2), gather(base, index * 2 + 1)};
 }
 
 // The mean over visible facets of G2/G1 times each Schlick term.
@@ -63,19 +71,31 @@ AlbedoTable::AlbedoTable() {
   }
 }
 
-AlbedoTerms AlbedoTable::directional(float cosine, float roughness) const {
-  const float x = std::clamp(cosine, 0.0f, 1.0f) * (kSize - 1);
-  const float y = std::clamp(roughness, 0.0f, 1.0f) * (kSize - 1);
-  const int i = std::min(static_cast<int>(x), kSize - 2), j = std::min(static_cast<int>(y), kSize - 2);
-  const float s = x - static_cast<float>(i), t = y - static_cast<float>(j);
-  return mix(mix(directional_[j][i], directional_[j][i + 1], s),
-             mix(directional_[j + 1][i], directional_[j + 1][i + 1], s), t);
+template <class F>
+AlbedoTermsT<F> AlbedoTable::directional(F cosine, F roughness) const {
+  using namespace lane_math;
+  const F x = clamp(cosine, 0.0f, 1.0f) * float(kSize - 1);
+  const F y = clamp(roughness, 0.0f, 1.0f) * float(kSize - 1);
+  const F fx = min(floor(x), float(kSize - 2)), fy = min(floor(y), float(kSize - 2));
+  const F s = x - fx, t = y - fy;
+  const Int<F> at = toInt(fy * float(kSize) + fx);
+  const AlbedoTerms* table = directional_[0];
+  return mix(mix(read<F>(table, at), read<F>(table, at + 1), s),
+             mix(read<F>(table, at + kSize), read<F>(table, at + (kSize + 1)), s), t);
 }
 
-AlbedoTerms AlbedoTable::average(float roughness) const {
-  const float y = std::clamp(roughness, 0.0f, 1.0f) * (kSize - 1);
-  const int j = std::min(static_cast<int>(y), kSize - 2);
-  return mix(average_[j], average_[j + 1], y - static_cast<float>(j));
+template <class F>
+AlbedoTermsT<F> AlbedoTable::average(F roughness) const {
+  using namespace lane_math;
+  const F y = clamp(roughness, 0.0f, 1.0f) * float(kSize - 1);
+  const F fy = min(floor(y), float(kSize - 2));
+  const Int<F> at = toInt(fy);
+  return mix(read<F>(average_, at), read<F>(average_, at + 1), F(y - fy));
 }
+
+template AlbedoTerms AlbedoTable::directional(float, float) const;
+template AlbedoTermsT<Floats> AlbedoTable::directional(Floats, Floats) const;
+template AlbedoTerms AlbedoTable::average(float) const;
+template AlbedoTermsT<Floats> AlbedoTable::average(Floats) const;
 
 }  // namespace idap::render

@@ -4,21 +4,27 @@
 // shading at Imageworks"; Karis 2013, "Real shading in Unreal Engine 4" (the split into two terms).
 #pragma once
 
-#include <vector>
+#include "render/lanes/lanes.h"
 
 namespace idap::render {
 
-struct AlbedoTerms {
-  float base = 0.0f, edge = 0.0f;
+template <class F>
+struct AlbedoTermsT {
+  F base = 0.0f, edge = 0.0f;
 };
+using AlbedoTerms = AlbedoTermsT<float>;
 
 class AlbedoTable {
  public:
   // Made on first use (some milliseconds), shared by all.
   static const AlbedoTable& get();
 
-  AlbedoTerms directional(float cosine, float roughness) const;  // for light from one direction
-  AlbedoTerms average(float roughness) const;                    // cosine-weighted mean over the hemisphere
+  // For light from one direction.
+  template <class F>
+  AlbedoTermsT<F> directional(F cosine, F roughness) const;
+  // The cosine-weighted mean over the hemisphere.
+  template <class F>
+  AlbedoTermsT<F> average(F roughness) const;
 
  private:
   AlbedoTable();

@@ -1,7 +1,5 @@
 #include "render/material/bsdf.h"
 
-#include <algorithm>
-
 #include "render/material/albedo_table.h"
 #include "render/material/fresnel.h"
 #include "render/material/ggx.h"
@@ -12,246 +10,260 @@ namespace idap::render {
 namespace {
 
 constexpr float kInversePi = 1 / kPiF;
-Rgb grey(float v) { return {v, v, v}; }
-Rgb squareRoot(Rgb c) { return {std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z)}; }
+template <class F>
+Vec3T<F> grey(F v) {
+  return {v, v, v};
+}
+template <class F>
+Vec3T<F> squareRoot(const Vec3T<F>& c) {
+  using lane_math::sqrt;
+  return {sqrt(c.x), sqrt(c.y), sqrt(c.z)};
+}
 
 }  // namespace
 
-float Bsdf::schlick(float cosine) { return schlickWeight(cosine); }
-
-Bsdf::Bsdf(const Interaction& at, const SurfaceValues& values, Vec3f wo)
-    : frame_(at.ns), ng_(at.ng), wo_(frame_.toLocal(wo)) {
+ShadingPoint<float> shadingPoint(const Interaction& at, const SurfaceValues& values) {
   const SurfaceData& s = *at.surface;
-  if (wo_.z < 1e-3f) {
-    // The shading normal has turned away from the viewer: take the nearest direction that it does see.
-    wo_.z = 0;
-    const float l2 = dot(wo_, wo_);
-    wo_ = l2 > 0 ? normalized(wo_ * (1 / std::sqrt(l2)) + Vec3f{0, 0, 1e-3f}) : Vec3f{0, 0, 1};
-  }
-  const float cosine = std::min(wo_.z, 1.0f);
-  roughness_ = values.roughness;
-  alpha_ = roughness_ * roughness_;
-  smooth_ = alpha_ < kSmoothAlpha;
-  if (smooth_) roughness_ = 0;
-  eta_ = at.frontFace ? 1 / s.ior : s.ior;
+  return {at.ng, at.ns, values.baseColor, values.roughness, s.metalness, s.ior,
+          s.f0,  s.f90, s.transmission,   s.translucency,   s.thin,      at.frontFace};
+}
 
-  const Rgb c = values.baseColor;
-  const float metal = s.metalness;
-  const float clear = (1 - metal) * s.transmission;
-  const float solid = s.thin ? 0.0f : clear, sheet = s.thin ? clear : 0.0f;
-  const float base = (1 - metal) * (1 - s.transmission);
+template <class F>
+BsdfT<F>::BsdfT(const ShadingPoint<F>& s, const V& wo) : frame_(s.ns), ng_(s.ng), wo_(frame_.toLocal(wo)) {
+  using namespace lane_math;
+  const M averted = wo_.z < 1e-3f;
+  if (any(averted)) {
+    // The shading normal has turned away from the viewer: take the nearest direction that it does see.
+    const F l2 = wo_.x * wo_.x + wo_.y * wo_.y, inverse = 1.0f / sqrt(max(l2, 1e-30f));
+    const V low = normalized(V{wo_.x * inverse, wo_.y * inverse, F(1e-3f)});
+    wo_ = select(averted, select(l2 > 0.0f, low, spread<F>({0, 0, 1})), wo_);
+  }
+  const F cosine = min(wo_.z, 1.0f);
+  alpha_ = s.roughness * s.roughness;
+  smooth_ = alpha_ < kSmoothAlpha;
+  roughness_ = only(!smooth_, s.roughness);
+  eta_ = select(s.frontFace, 1.0f / s.ior, s.ior);
+
+  const V c = s.baseColor;
+  const F metal = s.metalness;
+  const F clear = (1.0f - metal) * s.transmission;
+  const F solid = only(!s.thin, clear), sheet = only(s.thin, clear);
+  const F base = (1.0f - metal) * (1.0f - s.transmission);
 
   layerF0_ = s.f0;
   layerF90_ = s.f90;
-  const bool layered = s.f90 > 0 || metal > 0;
-  AlbedoTerms e{}, mean{};
-  if (layered) {
+  AlbedoTermsT<F> e{}, mean{};
+  const M layered = s.f90 > 0.0f || metal > 0.0f;
+  if (any(layered)) {
     const AlbedoTable& table = AlbedoTable::get();
     mean = table.average(roughness_);
-    e = smooth_ ? AlbedoTerms{1 - schlick(cosine), schlick(cosine)} : table.directional(cosine, roughness_);
+    e = table.directional(cosine, roughness_);
+    const F edge = schlickWeight(cosine);
+    e.base = select(smooth_, 1.0f - edge, e.base);
+    e.edge = select(smooth_, edge, e.edge);
   }
 
   // The mirror layer of all parts together. A smooth sheet reflects exactly; a rough one by Schlick's curve.
-  const float sheetGlossy = smooth_ ? 0.0f : sheet;
-  const float dielectricF0 = base * s.f0 + sheetGlossy * sheetF0(s.f0);
+  const F sheetGlossy = only(!smooth_, sheet);
+  const F dielectricF0 = base * s.f0 + sheetGlossy * sheetF0(s.f0);
   f0_ = grey(dielectricF0) + c * metal;
-  f90_ = grey((base + sheetGlossy) * s.f90 + metal);
-  Rgb glossy = f0_ * e.base + f90_ * e.edge;
-  float sheetReflected = 0;
-  if (sheet > 0) {
-    sheetIor_ = s.ior;
-    sheetReflected = smooth_ ? fresnelSheet(cosine, s.ior) : sheetF0(s.f0) * e.base + s.f90 * e.edge;
-    if (smooth_) {
-      sheet_ = sheet;
-      glossy += grey(sheet * sheetReflected);
+  f90_ = grey(F((base + sheetGlossy) * s.f90 + metal));
+  V glossy = f0_ * e.base + f90_ * e.edge;
+  sheetIor_ = s.ior;
+  sheet_ = only(smooth_, sheet);
+  straight_ = spread<F>({0, 0, 0});
+  if (any(sheet > 0.0f)) {
+    F reflected = sheetF0(s.f0) * e.base + s.f90 * e.edge;
+    if (any(sheet_ > 0.0f)) {
+      reflected = select(smooth_, fresnelSheet(cosine, s.ior), reflected);
+      glossy += grey(F(sheet_ * reflected));
     }
-    straight_ = c * (sheet * (1 - sheetReflected));
+    straight_ = c * F(sheet * (1.0f - reflected));
   }
 
   // What the layer lets through reaches the base; (1 - E) on the way in and on the way out.
-  const float layerAlbedo = s.f0 * e.base + s.f90 * e.edge;
-  const float layerMean = s.f0 * mean.base + s.f90 * mean.edge;
-  baseScale_ = kInversePi * (1 - layerAlbedo) / (1 - layerMean);
-  reflectColor_ = c * (base * (1 - s.translucency));
-  throughColor_ = c * (base * s.translucency);
-  metalScale_ = 0;
-  if (metal > 0 && !smooth_) {
-    const float lost = 1 - e.base - e.edge, lostMean = std::max(1 - mean.base - mean.edge, 1e-6f);
-    metalScale_ = kInversePi * lost / lostMean;
-    const Rgb f = c + (grey(1) - c) * (1 / 21.0f);  // mean of Schlick's curve
-    const Rgb den = grey(1) - f * lostMean;
-    metalColor_ = f * f * (1 - lostMean) / den * metal;
+  const F layerAlbedo = s.f0 * e.base + s.f90 * e.edge;
+  const F layerMean = s.f0 * mean.base + s.f90 * mean.edge;
+  baseScale_ = kInversePi * (1.0f - layerAlbedo) / (1.0f - layerMean);
+  reflectColor_ = c * F(base * (1.0f - s.translucency));
+  throughColor_ = c * F(base * s.translucency);
+  metalScale_ = 0.0f;
+  metalColor_ = spread<F>({0, 0, 0});
+  if (any(metal > 0.0f && !smooth_)) {
+    const F lost = 1.0f - e.base - e.edge, lostMean = max(1.0f - mean.base - mean.edge, 1e-6f);
+    metalScale_ = only(metal > 0.0f && !smooth_, kInversePi * lost / lostMean);
+    const V f = c + (grey(F(1.0f)) - c) * F(1 / 21.0f);  // mean of Schlick's curve
+    const V den = grey(F(1.0f)) - f * lostMean;
+    metalColor_ = f * f * F(1.0f - lostMean) / den * metal;
   }
   glass_ = squareRoot(c) * solid;  // a ray passes two faces: in and out
 
-  const float weights[kLobes] = {
-      luminance(glossy),
-      luminance(reflectColor_) * (1 - layerAlbedo) + luminance(metalColor_) * metalScale_ * kPiF * 0.5f,
-      luminance(throughColor_) * (1 - layerAlbedo), luminance(straight_), luminance(glass_)};
-  float sum = 0;
-  for (const float w : weights) sum += w;
-  if (sum > 0)
-    for (int i = 0; i < kLobes; ++i) share_[i] = weights[i] / sum;
+  share_[kGlossy] = luminance(glossy);
+  share_[kDiffuse] =
+      luminance(reflectColor_) * (1.0f - layerAlbedo) + luminance(metalColor_) * metalScale_ * (kPiF * 0.5f);
+  share_[kThrough] = luminance(throughColor_) * (1.0f - layerAlbedo);
+  share_[kStraight] = luminance(straight_);
+  share_[kGlass] = luminance(glass_);
+  F sum = share_[0];
+  for (int i = 1; i < kLobes; ++i) sum += share_[i];
+  const F inverse = select(sum > 0.0f, 1.0f / sum, F(0.0f));
+  for (F& share : share_) share *= inverse;
 }
 
-bool Bsdf::mostlySharp() const {
-  const float sharp = share_[kStraight] + (smooth_ ? share_[kGlossy] + share_[kGlass] : 0.0f);
-  return sharp > 0.5f;
+template <class F>
+auto BsdfT<F>::fresnel(F cosine) const -> V {
+  return f0_ + (f90_ - f0_) * schlickWeight(cosine);
 }
 
-Rgb Bsdf::albedo() const {
-  Rgb sum = reflectColor_ + throughColor_ + metalColor_ + straight_ + glass_;
-  if (share_[kGlossy] > 0) sum += f0_ + f90_ * (0.5f * schlick(wo_.z));
-  return {std::min(sum.x, 1.0f), std::min(sum.y, 1.0f), std::min(sum.z, 1.0f)};
+template <class F>
+auto BsdfT<F>::albedo() const -> V {
+  using lane_math::min;
+  V sum = reflectColor_ + throughColor_ + metalColor_ + straight_ + glass_;
+  sum += only(share_[kGlossy] > 0.0f, f0_ + f90_ * F(0.5f * schlickWeight(wo_.z)));
+  return {min(sum.x, 1.0f), min(sum.y, 1.0f), min(sum.z, 1.0f)};
 }
 
 // Reflection by facets and base; both directions local, wo above.
-BsdfValue Bsdf::evalLocal(Vec3f wo, Vec3f wi) const {
-  BsdfValue r;
-  const float cosine = std::fabs(wi.z);
-  AlbedoTerms e{};
-  if (layerF90_ > 0 || metalScale_ > 0) e = AlbedoTable::get().directional(cosine, roughness_);
-  const float below = baseScale_ * (1 - layerF0_ * e.base - layerF90_ * e.edge) * cosine;
-  if (wi.z <= 0) {
-    r.value = throughColor_ * below;
-    r.pdf = share_[kThrough] * cosine * kInversePi;
-    return r;
-  }
-  r.value = reflectColor_ * below;
-  if (metalScale_ > 0) r.value += metalColor_ * (metalScale_ * (1 - e.base - e.edge) * cosine);
-  r.pdf = share_[kDiffuse] * cosine * kInversePi;
-  if (!smooth_ && share_[kGlossy] > 0) {
-    const Ggx ggx{alpha_};
-    const Vec3f h = normalized(wo + wi);
-    const float c = dot(wo, h);
-    const float d = ggx.d(h), lo = ggx.lambda(wo);
-    r.value += fresnel(c) * (d / ((1 + lo + ggx.lambda(wi)) * 4 * wo.z));
-    r.pdf += share_[kGlossy] * d / ((1 + lo) * 4 * wo.z);
+template <class F>
+BsdfValueT<F> BsdfT<F>::evalLocal(const V& wo, const V& wi) const {
+  using namespace lane_math;
+  BsdfValueT<F> r;
+  const F cosine = abs(wi.z);
+  AlbedoTermsT<F> e{};
+  if (any(layerF90_ > 0.0f || metalScale_ > 0.0f)) e = AlbedoTable::get().directional(cosine, roughness_);
+  const F below = baseScale_ * (1.0f - layerF0_ * e.base - layerF90_ * e.edge) * cosine;
+  const M above = wi.z > 0.0f;
+  r.value = select(above, reflectColor_, throughColor_) * below;
+  r.pdf = select(above, share_[kDiffuse], share_[kThrough]) * cosine * kInversePi;
+  if (any(above && metalScale_ > 0.0f))
+    r.value += only(above, metalColor_ * F(metalScale_ * (1.0f - e.base - e.edge) * cosine));
+  const M facets = above && !smooth_ && share_[kGlossy] > 0.0f;
+  if (any(facets)) {
+    const GgxT<F> ggx{alpha_};
+    const V h = normalized(wo + wi);
+    const F d = ggx.d(h), lo = ggx.lambda(wo);
+    r.value += only(facets, fresnel(dot(wo, h)) * F(d / ((1.0f + lo + ggx.lambda(wi)) * 4.0f * wo.z)));
+    r.pdf += only(facets, share_[kGlossy] * d / ((1.0f + lo) * 4.0f * wo.z));
   }
   return r;
 }
 
 // Rough solid glass, Walter et al. 2007; both directions local, wo above.
-BsdfValue Bsdf::evalGlass(Vec3f wo, Vec3f wi) const {
-  BsdfValue r;
-  const Ggx ggx{alpha_};
-  const float ior = 1 / eta_;  // of the far side relative to wo's
-  if (wi.z > 0) {
-    const Vec3f h = normalized(wo + wi);
-    const float f = fresnelDielectric(std::min(dot(wo, h), 1.0f), ior);
-    const float common = f * ggx.d(h) / (4 * wo.z);
-    r.value = glass_ * (common * ggx.g2(wo, wi));
-    r.pdf = share_[kGlass] * common * ggx.g1(wo);
-    return r;
-  }
-  Vec3f h = wo + wi * ior;
-  const float l2 = dot(h, h);
-  if (l2 < 1e-12f || wi.z == 0) return r;
-  h = h * (1 / std::sqrt(l2));
-  if (h.z < 0) h = -h;
-  const float ci = dot(wi, h), co = dot(wo, h);
-  if (ci * co >= 0 || co <= 0) return r;
-  const float t = 1 - fresnelDielectric(std::min(co, 1.0f), ior);
-  const float den = ci * ior + co;
-  const float common = t * ggx.d(h) * std::fabs(ci * co / (den * den * wo.z));
+template <class F>
+BsdfValueT<F> BsdfT<F>::evalGlass(const V& wo, const V& wi) const {
+  using namespace lane_math;
+  const GgxT<F> ggx{alpha_};
+  const F ior = 1.0f / eta_;  // of the far side relative to wo's
+  const M above = wi.z > 0.0f;
+  V h = wo + wi * select(above, F(1.0f), ior);
+  const F l2 = dot(h, h);
+  h = h * F(1.0f / sqrt(max(l2, 1e-30f)));
+  h = select(h.z < 0.0f && !above, -h, h);
+  const F ci = dot(wi, h), co = dot(wo, h);
+  const M possible = above || (l2 >= 1e-12f && wi.z != 0.0f && ci * co < 0.0f && co > 0.0f);
+  const F f = fresnelDielectric(min(co, 1.0f), ior);
+  const F den = ci * ior + co;
+  const F common =
+      ggx.d(h) * select(above, f / (4.0f * wo.z), (1.0f - f) * abs(ci * co / (den * den * wo.z)));
   // Radiance is squeezed by the index squared; per solid angle the Jacobian of wi carries ior^2 in the
   // density.
-  r.value = glass_ * (common * ggx.g2(wo, wi));
-  r.pdf = share_[kGlass] * common * ior * ior * ggx.g1(wo);
+  BsdfValueT<F> r;
+  r.value = only(possible, glass_ * F(common * ggx.g2(wo, wi)));
+  r.pdf = only(possible, share_[kGlass] * common * select(above, F(1.0f), ior * ior) * ggx.g1(wo));
   return r;
 }
 
-BsdfValue Bsdf::eval(Vec3f worldWi) const {
-  const Vec3f wi = frame_.toLocal(worldWi);
+template <class F>
+BsdfValueT<F> BsdfT<F>::eval(const V& worldWi) const {
+  const V wi = frame_.toLocal(worldWi);
+  BsdfValueT<F> r = evalLocal(wo_, wi);
+  const M roughGlass = share_[kGlass] > 0.0f && !smooth_;
+  if (any(roughGlass)) {
+    const BsdfValueT<F> g = evalGlass(wo_, wi);
+    r.value += only(roughGlass, g.value);
+    r.pdf += only(roughGlass, g.pdf);
+  }
   // A normal from interpolation or a map may put wi on one side, the true surface on the other.
-  if ((wi.z > 0) != (dot(worldWi, ng_) > 0) || wi.z == 0) return {};
-  BsdfValue r = evalLocal(wo_, wi);
-  if (share_[kGlass] > 0 && !smooth_) {
-    const BsdfValue g = evalGlass(wo_, wi);
-    r.value += g.value;
-    r.pdf += g.pdf;
-  }
+  const F outside = dot(worldWi, ng_);
+  const M agree = wi.z != 0.0f && ((wi.z > 0.0f && outside > 0.0f) || (wi.z <= 0.0f && outside <= 0.0f));
+  r.value = only(agree, r.value);
+  r.pdf = only(agree, r.pdf);
   return r;
 }
 
-BsdfSample Bsdf::sampleGlass(float lobe, Vec2f u) const {
-  BsdfSample r;
-  const float ior = 1 / eta_;
-  const Vec3f h = smooth_ ? Vec3f{0, 0, 1} : Ggx{alpha_}.sampleVisible(wo_, u);
-  const float c = std::min(dot(wo_, h), 1.0f);
-  if (c <= 0) return r;
-  const FresnelTerms f = fresnelTerms(c, ior);
-  const float reflected = 0.5f * (f.s + f.p);
-  Vec3f wi;
-  if (lobe < reflected) {
-    wi = h * (2 * c) - wo_;
-    if (wi.z <= 0) return r;
-  } else {
-    wi = h * (c * eta_ - f.cosineInside) - wo_ * eta_;
-    wi = normalized(wi);
-    if (wi.z >= 0) return r;
-    r.etaScale = eta_ * eta_;
+// Local; h is the facet. 0 where the way is not there.
+template <class F>
+auto BsdfT<F>::sampleGlass(F lobe, const V& h, F& etaScale) const -> V {
+  using lane_math::min;
+  const F c = min(dot(wo_, h), 1.0f);
+  const FresnelTermsT<F> f = fresnelTerms(c, F(1.0f / eta_));
+  const M reflected = lobe < 0.5f * (f.s + f.p);
+  const V mirrored = h * F(2.0f * c) - wo_;
+  const V refracted = normalized(h * F(c * eta_ - f.cosineInside) - wo_ * eta_);
+  etaScale = select(reflected, F(1.0f), eta_ * eta_);
+  const M there = c > 0.0f && ((reflected && mirrored.z > 0.0f) || (!reflected && refracted.z < 0.0f));
+  return only(there, select(reflected, mirrored, refracted));
+}
+
+template <class F>
+BsdfSampleT<F> BsdfT<F>::sample(F lobe, const Vec2T<F>& u) const {
+  BsdfSampleT<F> r;
+  // Which lobe each lane takes, and what is left of its random number.
+  M in[kLobes], open(true);
+  F share = 0.0f;
+  for (int i = 0; i < kLobes; ++i) {
+    in[i] = i + 1 < kLobes ? M(open && lobe < share_[i]) : open;
+    share = select(in[i], share_[i], share);
+    open = open && !in[i];
+    lobe = select(open, lobe - share_[i], lobe);
   }
+  const F inverse = 1.0f / share;  // of no use where the share is 0
+
+  V wi = cosineHemisphere(u);
+  wi.z = select(in[kThrough], -wi.z, wi.z);
+  const M facets = in[kGlossy] || in[kGlass];
+  if (any(facets)) {
+    V h = spread<F>({0, 0, 1});
+    if (any(facets && !smooth_)) h = select(smooth_, h, GgxT<F>{alpha_}.sampleVisible(wo_, u));
+    const V mirrored = h * F(2.0f * dot(wo_, h)) - wo_;
+    wi = select(in[kGlossy], only(mirrored.z > 0.0f, mirrored), wi);
+    if (any(in[kGlass])) {
+      F etaScale = 1.0f;
+      const V through = sampleGlass(lane_math::min(F(lobe * inverse), kOneMinusEpsilon), h, etaScale);
+      wi = select(in[kGlass], through, wi);
+      r.etaScale = select(in[kGlass], etaScale, r.etaScale);
+    }
+  }
+  wi = select(in[kStraight], -wo_, wi);
+  const M there = share > 0.0f && dot(wi, wi) > 0.0f;
   r.wi = frame_.toWorld(wi);
-  if (smooth_) {
-    r.delta = true;
-    r.pdf = 1;
-    r.weight = glass_ * (r.etaScale / share_[kGlass]);
+  r.straight = in[kStraight];
+  r.delta = in[kStraight] || (smooth_ && facets);
+  if (!every(r.delta)) {
+    const BsdfValueT<F> v = eval(r.wi);
+    r.pdf = only(there, v.pdf);
+    r.weight = only(r.pdf > 0.0f, v.value * F(1.0f / v.pdf));
+  }
+  if (any(r.delta)) {
+    V weight = straight_;
+    if (any(in[kGlossy] && smooth_)) {
+      V mirrored = fresnel(wo_.z);
+      if (any(sheet_ > 0.0f))
+        mirrored += grey(only(sheet_ > 0.0f, sheet_ * fresnelSheet(lane_math::min(wo_.z, 1.0f), sheetIor_)));
+      weight = select(in[kGlossy], mirrored, weight);
+    }
+    weight = select(in[kGlass], glass_ * r.etaScale, weight);
+    // On the true surface's other side there is nothing to mirror, or to pass into.
+    const M above = in[kGlossy] || r.etaScale == 1.0f;
+    const F outside = dot(r.wi, ng_);
+    const M agree = r.straight || (above && outside > 0.0f) || (!above && outside <= 0.0f);
+    r.pdf = select(r.delta, only(there && agree, F(1.0f)), r.pdf);
+    r.weight = select(r.delta, weight * inverse, r.weight);
   }
   return r;
 }
 
-BsdfSample Bsdf::sample(float lobe, Vec2f u) const {
-  BsdfSample r;
-  int chosen = 0;
-  while (chosen < kLobes - 1 && lobe >= share_[chosen]) lobe -= share_[chosen++];
-  const float share = share_[chosen];
-  if (share <= 0) return r;
-  switch (chosen) {
-    case kGlossy: {
-      const Vec3f h = smooth_ ? Vec3f{0, 0, 1} : Ggx{alpha_}.sampleVisible(wo_, u);
-      const Vec3f wi = h * (2 * dot(wo_, h)) - wo_;
-      if (wi.z <= 0) return r;
-      r.wi = frame_.toWorld(wi);
-      if (smooth_) {
-        r.delta = true;
-        r.pdf = 1;
-        r.weight = fresnel(wo_.z);
-        if (sheet_ > 0) r.weight += grey(sheet_ * fresnelSheet(std::min(wo_.z, 1.0f), sheetIor_));
-        r.weight *= 1 / share;
-      }
-      break;
-    }
-    case kDiffuse:
-    case kThrough: {
-      Vec3f wi = cosineHemisphere(u);
-      if (chosen == kThrough) wi.z = -wi.z;
-      r.wi = frame_.toWorld(wi);
-      break;
-    }
-    case kStraight:
-      r.wi = -frame_.toWorld(wo_);
-      r.delta = r.straight = true;
-      r.pdf = 1;
-      r.weight = straight_ * (1 / share);
-      return r;
-    default:
-      r = sampleGlass(std::min(lobe / share, kOneMinusEpsilon), u);
-      if (dot(r.wi, r.wi) == 0) return r;
-  }
-  if (r.delta) {
-    const bool above = chosen == kGlossy || r.etaScale == 1.0f;
-    if ((dot(r.wi, ng_) > 0) != above) r.pdf = 0;
-    return r;
-  }
-  const BsdfValue v = eval(r.wi);
-  if (!(v.pdf > 0)) {
-    r.pdf = 0;
-    return r;
-  }
-  r.pdf = v.pdf;
-  r.weight = v.value * (1 / v.pdf);
-  return r;
-}
+template class BsdfT<float>;
+template class BsdfT<Floats>;
 
 }  // namespace idap::render

@@ -4,39 +4,44 @@
 // Dupuy and Benyoub 2023, "Sampling visible GGX normals with spherical caps".
 #pragma once
 
-#include <cmath>
-#include <numbers>
-
-#include "geometry/vec.h"
+#include "render/sampling/warp.h"
 
 namespace idap::render {
 
-struct Ggx {
-  float alpha;
+template <class F>
+struct GgxT {
+  using V = Vec3T<F>;
+  F alpha;
 
-  float d(Vec3f h) const {
-    const float a2 = alpha * alpha;
-    const float k = (h.x * h.x + h.y * h.y) / a2 + h.z * h.z;
-    return 1 / (std::numbers::pi_v<float> * a2 * k * k);
+  F d(const V& h) const {
+    const F a2 = alpha * alpha;
+    const F k = (h.x * h.x + h.y * h.y) / a2 + h.z * h.z;
+    return 1.0f / (kPiF * a2 * k * k);
   }
-  float lambda(Vec3f w) const {
-    const float c2 = w.z * w.z;
-    if (c2 <= 0) return 1e10f;
-    return 0.5f * (std::sqrt(1 + alpha * alpha * (w.x * w.x + w.y * w.y) / c2) - 1);
+  F lambda(const V& w) const {
+    using namespace lane_math;
+    const F c2 = w.z * w.z;
+    const F inside = 1.0f + alpha * alpha * (w.x * w.x + w.y * w.y) / max(c2, 1e-30f);
+    return select(c2 <= 0.0f, F(1e10f), 0.5f * (sqrt(inside) - 1.0f));
   }
-  float g1(Vec3f w) const { return 1 / (1 + lambda(w)); }
-  float g2(Vec3f wo, Vec3f wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
+  F g1(const V& w) const { return 1.0f / (1.0f + lambda(w)); }
+  F g2(const V& wo, const V& wi) const { return 1.0f / (1.0f + lambda(wo) + lambda(wi)); }
   // Density of sampleVisible() over half vectors; wo.z > 0.
-  float visiblePdf(Vec3f wo, Vec3f h) const { return g1(wo) * d(h) * std::fmax(dot(wo, h), 0.0f) / wo.z; }
+  F visiblePdf(const V& wo, const V& h) const {
+    return g1(wo) * d(h) * lane_math::max(dot(wo, h), 0.0f) / wo.z;
+  }
   // A microfacet normal that wo (z > 0) sees.
-  Vec3f sampleVisible(Vec3f wo, Vec2f u) const {
-    const Vec3f v = normalized(Vec3f{alpha * wo.x, alpha * wo.y, wo.z});
-    const float phi = 2 * std::numbers::pi_v<float> * u.x;
-    const float z = (1 - u.y) * (1 + v.z) - v.z;
-    const float r = std::sqrt(std::fmax(0.0f, 1 - z * z));
-    const Vec3f h = Vec3f{r * std::cos(phi), r * std::sin(phi), z} + v;
-    return normalized(Vec3f{alpha * h.x, alpha * h.y, std::fmax(h.z, 1e-7f)});
+  V sampleVisible(const V& wo, const Vec2T<F>& u) const {
+    using namespace lane_math;
+    const V v = normalized(V{alpha * wo.x, alpha * wo.y, wo.z});
+    const F z = (1.0f - u.y) * (1.0f + v.z) - v.z;
+    const F r = sqrt(max(1.0f - z * z, 0.0f));
+    F sine, cosine;
+    sinCos(2 * kPiF * u.x, sine, cosine);
+    const V h = V{r * cosine, r * sine, z} + v;
+    return normalized(V{alpha * h.x, alpha * h.y, max(h.z, 1e-7f)});
   }
 };
+using Ggx = GgxT<float>;
 
 }  // namespace idap::render

@@ -1,57 +1,91 @@
 #include "render/sampling/distribution.h"
 
-#include <algorithm>
-
 #include "render/sampling/warp.h"
 
 namespace idap::render {
 
-Distribution1D::Distribution1D(std::span<const float> weights) : cdf_(weights.size() + 1, 0.0f) {
+namespace {
+
+// The last of the cells whose sum below is at most u; first: of their cumulative sums.
+template <class F>
+Int<F> cellAt(const float* cdf, Int<F> first, int cells, F u) {
+  int step = 1;
+  while (2 * step < cells) step *= 2;
+  Int<F> cell = 0;
+  for (; step > 0; step /= 2) {
+    const Int<F> next = cell + step;
+    const Mask<F> inside = toMask(next < cells);
+    const Mask<F> below = inside && gather(cdf, first + select(inside, next, cell)) <= u;
+    cell = select(below, next, cell);
+  }
+  return cell;
+}
+
+// Inverts the sums: a point in [0,1), its cell and density.
+template <class F>
+struct Found {
+  F x, pdf;
+  Int<F> cell;
+};
+template <class F>
+Found<F> invert(const float* cdf, Int<F> first, int cells, F u) {
+  using namespace lane_math;
+  const Int<F> cell = cellAt<F>(cdf, first, cells, u);
+  const F low = gather(cdf, first + cell), span = gather(cdf, first + cell + 1) - low;
+  const F within = select(span > 0.0f, clamp(F((u - low) / span), 0.0f, kOneMinusEpsilon), F(0.5f));
+  const float n = static_cast<float>(cells);
+  return {min((toFloats(cell) + within) / n, kOneMinusEpsilon), span * n, cell};
+}
+
+}  // namespace
+
+Distribution2D::Distribution2D(std::span<const float> weights, int width, int height)
+    : width_(width), height_(height) {
+  const auto w = static_cast<std::size_t>(width);
+  std::vector<float> sums;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+    sums.push_back(addRow(weights.subspan(y * w, w)));
+  mean_ = addRow(sums);
+}
+
+float Distribution2D::addRow(std::span<const float> weights) {
   double sum = 0;
   for (const float w : weights) sum += static_cast<double>(w);
   const auto n = static_cast<double>(weights.size());
-  mean_ = static_cast<float>(sum / n);
   double running = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    running += sum > 0 ? static_cast<double>(weights[i]) / sum : 1 / n;
-    cdf_[i + 1] = static_cast<float>(running);
+  const auto first = static_cast<std::ptrdiff_t>(cdf_.size());
+  cdf_.push_back(0.0f);
+  for (const float w : weights) {
+    running += sum > 0 ? static_cast<double>(w) / sum : 1 / n;
+    cdf_.push_back(static_cast<float>(running));
   }
   // Cells of weight 0 at the end must stay empty: lift them to 1 together with the last one that has weight.
   const float last = cdf_.back();
-  for (auto it = cdf_.rbegin(); it != cdf_.rend() && *it == last; ++it) *it = 1.0f;
+  for (auto it = cdf_.end(); it != cdf_.begin() + first && *(it - 1) == last; --it) *(it - 1) = 1.0f;
+  return static_cast<float>(sum / n);
 }
 
-Distribution1D::Sample Distribution1D::sample(float u) const {
-  const auto it = std::upper_bound(cdf_.begin() + 1, cdf_.end() - 1, u);
-  const auto cell = static_cast<int>(it - cdf_.begin()) - 1;
-  const float low = cdf_[cell1(cell) - 1], span = cdf_[cell1(cell)] - low;
-  const float within = span > 0 ? std::clamp((u - low) / span, 0.0f, kOneMinusEpsilon) : 0.5f;
-  const auto n = static_cast<float>(size());
-  return {std::min((static_cast<float>(cell) + within) / n, kOneMinusEpsilon), span * n, cell};
-}
-
-Distribution2D::Distribution2D(std::span<const float> weights, int width, int height) {
-  std::vector<float> sums;
-  for (int y = 0; y < height; ++y) {
-    rows_.emplace_back(weights.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(width),
-                                       static_cast<std::size_t>(width)));
-    sums.push_back(rows_.back().mean());
-  }
-  marginal_ = Distribution1D(sums);
-}
-
-Distribution2D::Sample Distribution2D::sample(Vec2f u) const {
-  const Distribution1D::Sample y = marginal_.sample(u.y);
-  const Distribution1D::Sample x = rows_[static_cast<std::size_t>(y.cell)].sample(u.x);
+template <class F>
+auto Distribution2D::sample(const Vec2T<F>& u) const -> Sample<F> {
+  const Found<F> y = invert<F>(cdf_.data(), Int<F>(height_ * (width_ + 1)), height_, u.y);
+  const Found<F> x = invert<F>(cdf_.data(), y.cell * (width_ + 1), width_, u.x);
   return {{x.x, y.x}, x.pdf * y.pdf};
 }
 
-float Distribution2D::pdf(Vec2f p) const {
-  const int y =
-      std::clamp(static_cast<int>(p.y * static_cast<float>(marginal_.size())), 0, marginal_.size() - 1);
-  const Distribution1D& row = rows_[static_cast<std::size_t>(y)];
-  const int x = std::clamp(static_cast<int>(p.x * static_cast<float>(row.size())), 0, row.size() - 1);
-  return row.pdf(x) * marginal_.pdf(y);
+template <class F>
+F Distribution2D::pdf(const Vec2T<F>& p) const {
+  using namespace lane_math;
+  const float w = static_cast<float>(width_), h = static_cast<float>(height_);
+  const Int<F> x = toInt(clamp(F(p.x * w), 0.0f, w - 1)), y = toInt(clamp(F(p.y * h), 0.0f, h - 1));
+  const float* cdf = cdf_.data();
+  const Int<F> inRow = y * (width_ + 1) + x, ofRows = y + height_ * (width_ + 1);
+  return (gather(cdf, inRow + 1) - gather(cdf, inRow)) * (gather(cdf, ofRows + 1) - gather(cdf, ofRows)) *
+         (w * h);
 }
+
+template Distribution2D::Sample<float> Distribution2D::sample(const Vec2f&) const;
+template Distribution2D::Sample<Floats> Distribution2D::sample(const LaneVec2&) const;
+template float Distribution2D::pdf(const Vec2f&) const;
+template Floats Distribution2D::pdf(const LaneVec2&) const;
 
 }  // namespace idap::render

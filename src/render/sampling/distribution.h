@@ -1,55 +1,40 @@
-// Piecewise-constant densities over [0,1) and [0,1)^2, sampled by inverting their cumulative sums.
+// Piecewise-constant densities over [0,1)^2, sampled by inverting their cumulative sums; for one number or
+// for lanes of them.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "geometry/vec.h"
+#include "render/lanes/lanes.h"
 
 namespace idap::render {
-
-class Distribution1D {
- public:
-  Distribution1D() = default;
-  // Weights >= 0; where all are 0 the density is uniform.
-  explicit Distribution1D(std::span<const float> weights);
-
-  struct Sample {
-    float x = 0.0f;
-    float pdf = 0.0f;
-    int cell = 0;
-  };
-  Sample sample(float u) const;
-  float pdf(int cell) const {
-    return (cdf_[cell1(cell)] - cdf_[cell1(cell) - 1]) * static_cast<float>(size());
-  }
-  int size() const { return static_cast<int>(cdf_.size()) - 1; }
-  float mean() const { return mean_; }  // of the weights
-
- private:
-  static std::size_t cell1(int cell) { return static_cast<std::size_t>(cell) + 1; }
-  std::vector<float> cdf_;
-  float mean_ = 0.0f;
-};
 
 // Rows along y, columns along x.
 class Distribution2D {
  public:
   Distribution2D() = default;
+  // Weights >= 0; where all of a row, or all rows, are 0, the density is uniform there.
   Distribution2D(std::span<const float> weights, int width, int height);
 
+  template <class F>
   struct Sample {
-    Vec2f point;
-    float pdf = 0.0f;
+    Vec2T<F> point;
+    F pdf;
   };
-  Sample sample(Vec2f u) const;
-  float pdf(Vec2f point) const;
-  bool empty() const { return rows_.empty(); }
-  float mean() const { return marginal_.mean(); }
+  template <class F>
+  Sample<F> sample(const Vec2T<F>& u) const;
+  template <class F>
+  F pdf(const Vec2T<F>& point) const;
+  bool empty() const { return height_ == 0; }
+  float mean() const { return mean_; }  // of the weights
 
  private:
-  std::vector<Distribution1D> rows_;
-  Distribution1D marginal_;
+  // Adds the cumulative sums of the weights, from 0 to 1; returns their mean.
+  float addRow(std::span<const float> weights);
+
+  int width_ = 0, height_ = 0;
+  float mean_ = 0.0f;
+  std::vector<float> cdf_;  // width_ + 1 numbers a row, then height_ + 1 for the choice of the row
 };
 
 }  // namespace idap::render

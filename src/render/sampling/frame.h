@@ -2,24 +2,26 @@
 // basis, revisited".
 #pragma once
 
-#include <cmath>
-
-#include "geometry/vec.h"
+#include "render/lanes/lanes.h"
 
 namespace idap::render {
 
-struct Frame {
-  Vec3f x, y, z;
+template <class F>
+struct FrameT {
+  using V = Vec3T<F>;
+  V x, y, z;
 
-  explicit Frame(Vec3f n) : z(n) {
-    const float s = std::copysign(1.0f, n.z);
-    const float a = -1 / (s + n.z);
-    const float b = n.x * n.y * a;
-    x = {1 + s * n.x * n.x * a, s * b, -s * n.x};
+  explicit FrameT(const V& n) : z(n) {
+    using lane_math::copysign;
+    const F s = copysign(F(1.0f), n.z);
+    const F a = -1.0f / (s + n.z);
+    const F b = n.x * n.y * a;
+    x = {1.0f + s * n.x * n.x * a, s * b, -s * n.x};
     y = {b, s + n.y * n.y * a, -n.y};
   }
-  Vec3f toWorld(Vec3f v) const { return x * v.x + y * v.y + z * v.z; }
-  Vec3f toLocal(Vec3f v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
+  V toWorld(const V& v) const { return x * v.x + y * v.y + z * v.z; }
+  V toLocal(const V& v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
 };
+using Frame = FrameT<float>;
 
 }  // namespace idap::render

@@ -1,49 +1,54 @@
 #include "render/sampling/spherical_rectangle.h"
 
-#include <algorithm>
-
 #include "render/sampling/warp.h"
 
 namespace idap::render {
 
-SphericalRectangle::SphericalRectangle(Vec3f corner, Vec3f edgeU, Vec3f edgeV, Vec3f from) {
-  const float lengthU = length(edgeU), lengthV = length(edgeV);
+template <class F>
+SphericalRectangleT<F>::SphericalRectangleT(const V& corner, const V& edgeU, const V& edgeV, const V& from) {
+  using namespace lane_math;
+  const F lengthU = length(edgeU), lengthV = length(edgeV);
   x_ = edgeU / lengthU;
   y_ = edgeV / lengthV;
   z_ = cross(x_, y_);
-  const Vec3f d = corner - from;
+  const V d = corner - from;
   z0_ = dot(d, z_);
-  if (z0_ > 0) {
-    z_ = -z_;
-    z0_ = -z0_;
-  }
+  const Mask<F> turned = z0_ > 0.0f;
+  z_ = select(turned, -z_, z_);
+  z0_ = select(turned, -z0_, z0_);
   x0_ = dot(d, x_);
   y0_ = dot(d, y_);
   x1_ = x0_ + lengthU;
   y1_ = y0_ + lengthV;
   // z components of the normals of the four planes through `from` and an edge; inner angles between them.
-  const auto planeZ = [this](float a) { return z0_ == 0 && a == 0 ? 0.0f : a / std::hypot(z0_, a); };
-  const float n0 = -planeZ(y0_), n1 = planeZ(x1_), n2 = planeZ(y1_), n3 = -planeZ(x0_);
-  const auto angle = [](float a, float b) { return std::acos(std::clamp(-a * b, -1.0f, 1.0f)); };
-  const float g0 = angle(n0, n1), g1 = angle(n1, n2), g2 = angle(n2, n3), g3 = angle(n3, n0);
+  const F z2 = z0_ * z0_;
+  const auto planeZ = [z2](const F& a) { return a / sqrt(max(z2 + a * a, 1e-30f)); };
+  const F n0 = -planeZ(y0_), n1 = planeZ(x1_), n2 = planeZ(y1_), n3 = -planeZ(x0_);
+  const auto angle = [](const F& a, const F& b) { return arcCosine(clamp(F(-a * b), -1.0f, 1.0f)); };
+  const F g0 = angle(n0, n1), g1 = angle(n1, n2), g2 = angle(n2, n3), g3 = angle(n3, n0);
   b0_ = n0;
   b1_ = n2;
   k_ = 2 * kPiF - g2 - g3;
-  solidAngle_ = std::max(0.0f, g0 + g1 - k_);
+  solidAngle_ = max(g0 + g1 - k_, 0.0f);
 }
 
-Vec3f SphericalRectangle::sample(Vec2f u) const {
-  const float au = u.x * solidAngle_ + k_;
-  const float fu = (std::cos(au) * b0_ - b1_) / std::sin(au);
-  float cu = std::copysign(1 / std::sqrt(fu * fu + b0_ * b0_), fu);
-  cu = std::clamp(cu, -1.0f, 1.0f);
-  const float xu = std::clamp(-(cu * z0_) / std::sqrt(std::max(1 - cu * cu, 1e-12f)), x0_, x1_);
-  const float d = std::sqrt(xu * xu + z0_ * z0_);
-  const float h0 = y0_ / std::sqrt(d * d + y0_ * y0_);
-  const float h1 = y1_ / std::sqrt(d * d + y1_ * y1_);
-  const float hv = h0 + u.y * (h1 - h0), hv2 = hv * hv;
-  const float yv = hv2 < 1 - 1e-6f ? hv * d / std::sqrt(1 - hv2) : (hv < 0 ? y0_ : y1_);
-  return x_ * xu + y_ * std::clamp(yv, y0_, y1_) + z_ * z0_;
+template <class F>
+auto SphericalRectangleT<F>::sample(const Vec2T<F>& u) const -> V {
+  using namespace lane_math;
+  F sine, cosine;
+  sinCos(F(u.x * solidAngle_ + k_), sine, cosine);
+  const F fu = (cosine * b0_ - b1_) / sine;
+  const F cu = clamp(copysign(1.0f / sqrt(fu * fu + b0_ * b0_), fu), -1.0f, 1.0f);
+  const F xu = min(max(-(cu * z0_) / sqrt(max(1.0f - cu * cu, 1e-12f)), x0_), x1_);
+  const F d = sqrt(xu * xu + z0_ * z0_);
+  const F h0 = y0_ / sqrt(d * d + y0_ * y0_);
+  const F h1 = y1_ / sqrt(d * d + y1_ * y1_);
+  const F hv = h0 + u.y * (h1 - h0), hv2 = hv * hv;
+  const F yv = select(hv2 < 1 - 1e-6f, hv * d / sqrt(max(1.0f - hv2, 1e-12f)), select(hv < 0.0f, y0_, y1_));
+  return x_ * xu + y_ * min(max(yv, y0_), y1_) + z_ * z0_;
 }
+
+template class SphericalRectangleT<float>;
+template class SphericalRectangleT<Floats>;
 
 }  // namespace idap::render

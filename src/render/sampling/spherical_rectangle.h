@@ -2,24 +2,31 @@
 // "An area-preserving parametrization for spherical rectangles".
 #pragma once
 
-#include "geometry/vec.h"
+#include "render/lanes/lanes.h"
 
 namespace idap::render {
 
-class SphericalRectangle {
+template <class F>
+class SphericalRectangleT {
+  using V = Vec3T<F>;
+
  public:
   // The rectangle corner + s*edgeU + t*edgeV (edges square to each other) seen from a point.
-  SphericalRectangle(Vec3f corner, Vec3f edgeU, Vec3f edgeV, Vec3f from);
+  SphericalRectangleT(const V& corner, const V& edgeU, const V& edgeV, const V& from);
 
-  float solidAngle() const { return solidAngle_; }
+  F solidAngle() const { return solidAngle_; }
   // A point of the rectangle, relative to `from`, uniform over solid angle.
-  Vec3f sample(Vec2f u) const;
+  V sample(const Vec2T<F>& u) const;
 
  private:
-  Vec3f x_, y_, z_;
-  float x0_, y0_, x1_, y1_, z0_;
-  float b0_, b1_, k_;
-  float solidAngle_;
+  V x_, y_, z_;
+  F x0_, y0_, x1_, y1_, z0_;
+  F b0_, b1_, k_;
+  F solidAngle_;
 };
+using SphericalRectangle = SphericalRectangleT<float>;
+
+extern template class SphericalRectangleT<float>;
+extern template class SphericalRectangleT<Floats>;
 
 }  // namespace idap::render

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "geometry/vec.h"
+#include "render/lanes/lane_math.h"
 
 namespace idap::render {
 
@@ -27,44 +27,48 @@ inline Vec2f hammersley(int i, int n) {
 }
 
 // Shirley and Chiu's concentric map.
-inline Vec2f unitDisc(Vec2f u) {
-  const float a = 2 * u.x - 1, b = 2 * u.y - 1;
-  if (a == 0 && b == 0) return {};
-  float r, phi;
-  if (std::fabs(a) > std::fabs(b)) {
-    r = a;
-    phi = kPiF / 4 * (b / a);
-  } else {
-    r = b;
-    phi = kPiF / 2 - kPiF / 4 * (a / b);
-  }
-  return {r * std::cos(phi), r * std::sin(phi)};
+template <class F>
+Vec2T<F> unitDisc(const Vec2T<F>& u) {
+  using lane_math::abs;
+  const F a = 2.0f * u.x - 1.0f, b = 2.0f * u.y - 1.0f;
+  const Mask<F> flat = abs(a) > abs(b);
+  const F r = select(flat, a, b), other = select(flat, b, a);
+  const F turn = kPiF / 4 * other / select(r == 0.0f, F(1.0f), r);
+  F sine, cosine;
+  sinCos(turn, sine, cosine);
+  return {r * select(flat, cosine, sine), r * select(flat, sine, cosine)};
 }
 
 // Around +z, density cos / pi.
-inline Vec3f cosineHemisphere(Vec2f u) {
-  const Vec2f d = unitDisc(u);
-  return {d.x, d.y, std::sqrt(std::max(1e-12f, 1 - d.x * d.x - d.y * d.y))};
+template <class F>
+Vec3T<F> cosineHemisphere(const Vec2T<F>& u) {
+  using namespace lane_math;
+  const Vec2T<F> d = unitDisc(u);
+  return {d.x, d.y, sqrt(max(1.0f - d.x * d.x - d.y * d.y, 1e-12f))};
 }
 
 // Uniform in a cone around +z; oneMinusCos of its half angle, exact for narrow cones. Density 1 / solid
 // angle.
-inline Vec3f uniformCone(Vec2f u, float oneMinusCos) {
-  const float h = u.x * oneMinusCos;
-  const float r = std::sqrt(std::max(0.0f, h * (2 - h)));
-  const float phi = 2 * kPiF * u.y;
-  return {r * std::cos(phi), r * std::sin(phi), 1 - h};
+template <class F>
+Vec3T<F> uniformCone(const Vec2T<F>& u, std::type_identity_t<F> oneMinusCos) {
+  using namespace lane_math;
+  const F h = u.x * oneMinusCos;
+  const F r = sqrt(max(h * (2.0f - h), 0.0f));
+  F sine, cosine;
+  sinCos(2 * kPiF * u.y, sine, cosine);
+  return {r * cosine, r * sine, 1.0f - h};
 }
-inline float coneSolidAngle(float oneMinusCos) { return 2 * kPiF * oneMinusCos; }
+template <class F>
+F coneSolidAngle(F oneMinusCos) {
+  return 2 * kPiF * oneMinusCos;
+}
 
 // Barycentric weights of the second and third corner, uniform over the area (Heitz 2019).
-inline Vec2f uniformTriangle(Vec2f u) {
-  if (u.y > u.x) {
-    const float x = u.x * 0.5f;
-    return {x, u.y - x};
-  }
-  const float y = u.y * 0.5f;
-  return {u.x - y, y};
+template <class F>
+Vec2T<F> uniformTriangle(const Vec2T<F>& u) {
+  const Mask<F> above = u.y > u.x;
+  const F low = 0.5f * select(above, u.x, u.y);
+  return {select(above, low, u.x - low), select(above, u.y - low, low)};
 }
 
 }  // namespace idap::render

@@ -5,12 +5,14 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <chrono>
 #include <mutex>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "render/film/noise_estimate.h"
 #include "render/integrator/camera_ray.h"
@@ -128,52 +130,92 @@ class Job {
     progress_.report(std::min(fraction, 1.0), "rendering");
   }
 
+  // One sample to be taken.
+  struct Pending {
+    std::size_t pixel;
+    bool first;   // of its pixel
+    bool hasRay;  // some lenses leave pixels out
+  };
+  struct Batch {
+    std::vector<Pending> pending;
+    std::vector<PathStart> starts;
+    std::vector<PathSample> samples;
+    std::vector<Rgb> groups;
+  };
+
   void renderTile(int tile, int to) {
     const int x0 = tile % tilesX_ * kTile, y0 = tile / tilesX_ * kTile;
-    const int x1 = std::min(x0 + kTile, film_.width), y1 = std::min(y0 + kTile, film_.height);
-    std::uint64_t paths = 0, traced = 0;
-    std::vector<Rgb> groups(settings_.perLightGroupLayers ? film_.groups.size() : 0);
-    for (int y = y0; y < y1; ++y) {
-      if (stopped()) break;
-      for (int x = x0; x < x1; ++x) {
-        const std::size_t pixel = film_.index(x, y);
-        if (!resting_.empty() && resting_[pixel]) continue;
-        for (auto s = static_cast<std::uint32_t>(film_.weight[pixel]); s < static_cast<std::uint32_t>(to);
-             ++s) {
-          Sampler sampler(x, y, s, log2Samples_, settings_.seed);
-          const Vec2f offset = filterOffset(sampler.get2D(), settings_.filter);
-          const Vec2f point{static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y};
-          const auto ray = rays_.hasLens() ? rays_.at(point, sampler.get2D()) : rays_.at(point);
-          film_.weight[pixel] += 1;
-          if (!ray) continue;
-          ++paths;
-          traced += sample(*ray, sampler, pixel, s == 0, groups);
-        }
-      }
+    // What every pixel had; of those that rest and those beyond the edge, more than it will get.
+    std::array<int, kTile * kTile> had;
+    int least = to;
+    for (int i = 0; i < kTile * kTile; ++i) {
+      const auto [x, y] = placeInTile(i);
+      const bool inside = x0 + x < film_.width && y0 + y < film_.height;
+      const std::size_t pixel = inside ? film_.index(x0 + x, y0 + y) : 0;
+      const bool rests = !inside || (!resting_.empty() && resting_[pixel]);
+      had[static_cast<std::size_t>(i)] = rests ? to : static_cast<int>(film_.weight[pixel]);
+      least = std::min(least, had[static_cast<std::size_t>(i)]);
     }
-    paths_ += paths;
-    traced_ += traced;
+    Batch batch;
+    for (int s = least; s < to; ++s)
+      for (int i = 0; i < kTile * kTile; ++i) {
+        if (s < had[static_cast<std::size_t>(i)]) continue;
+        const auto [dx, dy] = placeInTile(i);
+        const int x = x0 + dx, y = y0 + dy;
+        Sampler sampler(x, y, static_cast<std::uint32_t>(s), log2Samples_, settings_.seed);
+        const Vec2f offset = filterOffset(sampler.get2D(), settings_.filter);
+        const Vec2f point{static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y};
+        const auto ray = rays_.hasLens() ? rays_.at(point, sampler.get2D()) : rays_.at(point);
+        batch.pending.push_back({film_.index(x, y), s == 0, ray.has_value()});
+        if (ray) batch.starts.push_back({*ray, sampler});
+        if (batch.pending.size() < PathTracer::kBatch) continue;
+        if (stopped()) return;
+        take(batch);
+      }
+    if (!stopped()) take(batch);
   }
 
-  std::uint64_t sample(const Ray& ray, Sampler& sampler, std::size_t pixel, bool first,
-                       std::vector<Rgb>& groups) {
-    std::ranges::fill(groups, Rgb{});
-    const PathSample path = settings_.integrator == IntegratorKind::Classic
-                                ? classic(ray, pixel)
-                                : tracer_.trace(ray, sampler, groups.data(), groups.size());
+  // The tile's pixels by squares of four by four, so that the rays of neighbours are traced together.
+  static std::pair<int, int> placeInTile(int i) {
+    const int square = i / 16, within = i % 16;
+    return {square % (kTile / 4) * 4 + within % 4, square / (kTile / 4) * 4 + within / 4};
+  }
+
+  // Follows the batch's paths and adds them to the film.
+  void take(Batch& batch) {
+    const std::size_t groups = settings_.perLightGroupLayers ? film_.groups.size() : 0;
+    batch.samples.resize(batch.starts.size());
+    batch.groups.assign(batch.starts.size() * groups, Rgb{});
+    if (!classic_) tracer_.trace(batch.starts, batch.samples, batch.groups);
+    std::size_t i = 0;
+    std::uint64_t traced = 0;
+    for (const Pending& p : batch.pending) {
+      film_.weight[p.pixel] += 1;
+      if (!p.hasRay) continue;
+      const PathSample path = classic_ ? classic(batch.starts[i].ray, p.pixel) : batch.samples[i];
+      add(path, p, std::span(batch.groups).subspan(i * groups, groups));
+      traced += path.rays;
+      ++i;
+    }
+    paths_ += batch.starts.size();
+    traced_ += traced;
+    batch.pending.clear();
+    batch.starts.clear();
+  }
+
+  void add(const PathSample& path, const Pending& p, std::span<const Rgb> groups) {
     // Something not finite would blot out the pixel for ever.
     if (std::isfinite(path.radiance.x + path.radiance.y + path.radiance.z)) {
-      film_.color[pixel] += path.radiance;
+      film_.color[p.pixel] += path.radiance;
       const float l = luminance(path.radiance);
-      film_.square[pixel] += l * l;
-      for (std::size_t g = 0; g < groups.size(); ++g) film_.groups[g][pixel] += groups[g];
+      film_.square[p.pixel] += l * l;
+      for (std::size_t g = 0; g < groups.size(); ++g) film_.groups[g][p.pixel] += groups[g];
     }
-    film_.albedo[pixel] += path.albedo;
-    film_.normal[pixel] += path.normal;
-    film_.depth[pixel] += path.depth;
-    if (path.depth > 0) film_.coverage[pixel] += 1;
-    if (first) film_.objectId[pixel] = path.objectId;
-    return path.rays;
+    film_.albedo[p.pixel] += path.albedo;
+    film_.normal[p.pixel] += path.normal;
+    film_.depth[p.pixel] += path.depth;
+    if (path.depth > 0) film_.coverage[p.pixel] += 1;
+    if (p.first) film_.objectId[p.pixel] = path.objectId;
   }
 
   // The surface of 1993, with this integrator's features beside it: looked up once a pixel, since each costs

@@ -13,6 +13,9 @@ namespace idap::render {
 
 class LightCache;
 
+// Of the random numbers and of how paths use them. Pictures begun with another one cannot be gone on with.
+inline constexpr int kSamplingVersion = 2;
+
 enum class IntegratorKind { Path, Classic };
 
 struct RenderSettings {

@@ -55,21 +55,70 @@ TEST(CompiledScene, FrontsStayFrontsUnderMirrorsAndUnevenScale) {
   }
 }
 
-TEST(CompiledScene, MovingAnInstanceMovesItsShadowAndItsLight) {
+TEST(CompiledScene, AnEditSharesTheMeshesAndMovesShadowsAndLights) {
+  const auto scene = [](float shade, float panel) {
+    SceneMaker make;
+    make.add(parallelogram({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}), lambert({}),
+             Transformf::translation({shade, 0, 0}));
+    make.add(parallelogram({-0.5f, -0.5f, 3}, {0, 1, 0}, {1, 0, 0}), lambert({}, grey(100)),
+             Transformf::translation({0, 0, panel}));
+    return make.shared();
+  };
+  const CompiledScene before(scene(0, 0));
+  EXPECT_TRUE(before.occluded({{0, 0, 0}, {0, 0, 1}}));
+  EXPECT_EQ(luminance(illuminance(before, {}, {0, 0, 1}, {.samples = 64})), 0.0f);
+  for (const BvhLevels levels : {BvhLevels::One, BvhLevels::Two}) {
+    const CompiledScene open(scene(20, 0), 0, &before, levels);
+    const float lit = luminance(illuminance(open, {}, {0, 0, 1}, {.samples = 1024}));
+    EXPECT_GT(lit, 5.0f);
+    const CompiledScene far(scene(20, 3), 0, &open, levels);
+    EXPECT_LT(luminance(illuminance(far, {}, {0, 0, 1}, {.samples = 1024})), 0.4f * lit);
+  }
+}
+
+TEST(CompiledScene, OneLevelAndTwoFindTheSame) {
   SceneMaker make;
-  make.add(parallelogram({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}), lambert({}));
-  make.add(parallelogram({-0.5f, -0.5f, 3}, {0, 1, 0}, {1, 0, 0}), lambert({}, grey(100)));
-  const auto scene = make.compile();
-  const Ray up{{0, 0, 0}, {0, 0, 1}};
-  EXPECT_TRUE(scene->occluded(up));
-  EXPECT_EQ(luminance(illuminance(*scene, {}, {0, 0, 1}, {.samples = 64})), 0.0f);
-  scene->setTransform(0, Transformf::translation({20, 0, 0}));
-  scene->commit();
-  const float lit = luminance(illuminance(*scene, {}, {0, 0, 1}, {.samples = 1024}));
-  EXPECT_GT(lit, 5.0f);
-  scene->setTransform(1, Transformf::translation({0, 0, 3}));
-  scene->commit();
-  EXPECT_LT(luminance(illuminance(*scene, {}, {0, 0, 1}, {.samples = 1024})), 0.4f * lit);
+  Surface glass;
+  glass.transmission = 1;
+  glass.roughness = 0;
+  const std::uint32_t clear = make.surface(glass), solid = make.surface(lambert(grey(0.5f)));
+  Transformf turned = Transformf::translation({0.3f, 0.2f, 1}) * Transformf::rotationZ(0.7f);
+  turned = turned * Transformf::scaling({1.5f, -0.7f, 1});
+  make.add(sphereMesh({}, 0.8f, 12), lambert(grey(0.5f)), turned);
+  make.add(boxMesh({-0.5f, -0.5f, 2.2f}, {0.5f, 0.5f, 3}),
+           std::vector<std::uint32_t>{clear, clear, clear, solid, solid, clear});
+  make.scene().lamps.push_back({.position = {0, 0, -2}, .radius = 0.3f, .intensity = grey(10)});
+  const auto scene = make.shared();
+  CompiledScene one(scene, 0, nullptr, BvhLevels::One), two(scene);
+  for (CompiledScene* s : {&one, &two}) {
+    s->setVisibleToCamera(1, false);
+    s->commit();
+  }
+  int hits = 0, lamps = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2f u = hammersley(i, 3000);
+    const Vec3f d = Frame({0, 0, i % 2 ? 1.0f : -1.0f}).toWorld(uniformCone(u, 0.05f));
+    const Ray ray{{0.1f * u.x, 0.1f, i % 2 ? -3.5f : 4.5f}, d};
+    for (const std::uint32_t mask : {kCameraRay, kBounceRay}) {
+      Hit a, b;
+      ASSERT_EQ(one.intersect(ray, a, mask), two.intersect(ray, b, mask)) << i;
+      if (a.t == 0) continue;
+      ASSERT_EQ(a.isLamp(), b.isLamp());
+      EXPECT_NEAR(a.t, b.t, 1e-4f);
+      if (a.isLamp()) {
+        ++lamps;
+        continue;
+      }
+      ++hits;
+      EXPECT_EQ(a.instance, b.instance);
+      const Interaction p = one.interaction(ray, a), q = two.interaction(ray, b);
+      EXPECT_GT(dot(p.ng, q.ng), a.triangle == b.triangle ? 0.9999f : 0.5f);
+      EXPECT_EQ(p.frontFace, q.frontFace);
+    }
+    EXPECT_NEAR(luminance(one.transmittance(ray)), luminance(two.transmittance(ray)), 1e-3f) << i;
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(lamps, 10);
 }
 
 TEST(CompiledScene, LightPassesGlassCutOutsAndPartialOpacity) {
@@ -135,7 +184,7 @@ TEST(CompiledScene, NewRaysNeitherHitTheirOwnSurfaceNorLeakOut) {
       Hit hit;
       ASSERT_TRUE(scene->intersect(ray, hit, kBounceRay));
       const Interaction at = scene->interaction(ray, hit);
-      const Vec3f d = Frame(at.ng).toWorld(cosineHemisphere({u.y, u.x}));
+      const Vec3f d = Frame(at.ng).toWorld(cosineHemisphere(Vec2f{u.y, u.x}));
       Hit next;
       ASSERT_TRUE(scene->intersect({at.originTowards(d), d}, next, kBounceRay)) << "leaked at " << distance;
       // Back to the middle, which all of the room sees.

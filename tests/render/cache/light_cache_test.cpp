@@ -65,10 +65,10 @@ TEST(FillCache, ThePictureIsNearlyTheSameAndQuieter) {
   RenderSettings settings{.width = 48, .height = 32, .spp = 1024};
   Film truth(48, 32), with(48, 32), without(48, 32);
   render(*scene, camera, settings, truth);
-  settings.spp = 16;
+  settings.spp = 64;
   settings.seed = 5;
   render(*scene, camera, settings, without);
-  settings.cache = fillCache(*scene, camera, settings, 60'000);
+  settings.cache = fillCache(*scene, camera, settings, 400'000);
   ASSERT_NE(settings.cache, nullptr);
   const RenderStats cached = render(*scene, camera, settings, with);
   double mean = 0, meanWith = 0, noise = 0, noiseWith = 0;

@@ -122,7 +122,7 @@ TEST(LocalLights, EmissiveMeshIsSampledWithTheDensityRaysFind) {
         const Ray ray{{}, d};
         Hit hit;
         return scene->intersect(ray, hit, kBounceRay)
-                   ? lights.pdfTriangle(at, ray, hit, scene->interaction(ray, hit))
+                   ? lights.pdfTriangle(at, ray, hit, scene->interaction(ray, hit).frontFace)
                    : 0.0f;
       },
       48, 96);

@@ -184,7 +184,7 @@ TEST(Bsdf, ShadingNormalsNeverMakeItNegativeOrInfinite) {
 }
 
 TEST(Fresnel, GlassPane) {
-  EXPECT_NEAR(fresnelDielectric(1, 1.5f), 0.04f, 1e-5f);
+  EXPECT_NEAR(fresnelDielectric(1.0f, 1.5f), 0.04f, 1e-5f);
   EXPECT_NEAR(fresnelDielectric(0.0f, 1.5f), 1.0f, 1e-5f);
   EXPECT_EQ(fresnelDielectric(0.5f, 1 / 1.5f), 1.0f) << "total reflection inside";
   EXPECT_NEAR(1 - fresnelSheet(std::cos(static_cast<float>(kPi) / 3), 1.52f), 0.8435f, 2e-4f);

@@ -58,7 +58,7 @@ TEST(Sampler, SeedsDimensionsAndEpochsAreIndependent) {
 TEST(Warp, CosineHemisphere) {
   expectMatchingDensity(
       [](float, float a, float b) {
-        return std::pair(cosineHemisphere({a, b}), true);
+        return std::pair(cosineHemisphere(Vec2f{a, b}), true);
       },
       [](Vec3f d) { return std::max(d.z, 0.0f) / kPiF; });
 }
@@ -67,10 +67,10 @@ TEST(Warp, Cone) {
   const float oneMinusCos = 0.25f;  // a multiple of the cells' height
   expectMatchingDensity(
       [&](float, float a, float b) {
-        return std::pair(uniformCone({a, b}, oneMinusCos), true);
+        return std::pair(uniformCone(Vec2f{a, b}, oneMinusCos), true);
       },
       [&](Vec3f d) { return d.z > 1 - oneMinusCos ? 1 / coneSolidAngle(oneMinusCos) : 0.0f; });
-  EXPECT_NEAR(length(uniformCone({0.7f, 0.3f}, 1e-5f)), 1.0f, 1e-6f);
+  EXPECT_NEAR(length(uniformCone(Vec2f{0.7f, 0.3f}, 1e-5f)), 1.0f, 1e-6f);
 }
 
 TEST(Warp, TriangleIsUniform) {
@@ -104,18 +104,18 @@ TEST(SphericalRectangle, SolidAngleAndDensity) {
 
 TEST(Distribution, FollowsItsWeights) {
   const std::vector<float> weights{0, 3, 0, 1, 0};
-  const Distribution1D d(weights);
+  const Distribution2D d(weights, 5, 1);
   int counts[5] = {};
   for (int i = 0; i < 1000; ++i) {
-    const auto s = d.sample((static_cast<float>(i) + 0.5f) / 1000);
-    ++counts[s.cell];
-    EXPECT_NEAR(s.pdf, d.pdf(s.cell), 1e-6f);
-    EXPECT_EQ(static_cast<int>(s.x * 5), s.cell);
+    const auto s = d.sample(Vec2f{(static_cast<float>(i) + 0.5f) / 1000, 0.5f});
+    const int cell = static_cast<int>(s.point.x * 5);
+    ++counts[cell];
+    EXPECT_NEAR(s.pdf, d.pdf(Vec2f{(static_cast<float>(cell) + 0.5f) / 5, 0.5f}), 1e-6f);
   }
   EXPECT_EQ(counts[1], 750);
   EXPECT_EQ(counts[3], 250);
-  EXPECT_NEAR(d.pdf(1), 3.75f, 1e-5f);
-  EXPECT_EQ(d.sample(0.99999994f).cell, 3);
+  EXPECT_NEAR(d.pdf(Vec2f{0.3f, 0.5f}), 3.75f, 1e-5f);
+  EXPECT_EQ(static_cast<int>(d.sample(Vec2f{0.99999994f, 0.5f}).point.x * 5), 3);
 }
 
 TEST(Distribution, TwoDimensionsIntegrateToOne) {
@@ -126,10 +126,10 @@ TEST(Distribution, TwoDimensionsIntegrateToOne) {
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x)
       sum += static_cast<double>(
-                 d.pdf({(static_cast<float>(x) + 0.5f) / 4, (static_cast<float>(y) + 0.5f) / 3})) /
+                 d.pdf(Vec2f{(static_cast<float>(x) + 0.5f) / 4, (static_cast<float>(y) + 0.5f) / 3})) /
              12;
   EXPECT_NEAR(sum, 1.0, 1e-5);
-  const auto s = d.sample({0.3f, 0.8f});
+  const auto s = d.sample(Vec2f{0.3f, 0.8f});
   EXPECT_NEAR(s.pdf, d.pdf(s.point), 1e-5f);
 }
 

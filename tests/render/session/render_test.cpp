@@ -47,17 +47,48 @@ SceneMaker variedRoom() {
   return make;
 }
 
+std::vector<PathStart> starts(int n) {
+  std::vector<PathStart> paths;
+  for (int i = 0; i < n; ++i) {
+    Sampler sampler(5, 9, static_cast<std::uint32_t>(i), 16, 3);
+    const Vec2f u = sampler.get2D();
+    const Vec3f d = normalized(Vec3f{1.5f * u.x - 0.75f, 1, 1.2f * u.y - 0.8f});
+    paths.push_back({{{0, -1.9f, 1.2f}, d}, sampler});
+  }
+  return paths;
+}
+
+std::vector<PathSample> traced(const PathTracer& tracer, int n) {
+  const std::vector<PathStart> paths = starts(n);
+  std::vector<PathSample> samples(paths.size());
+  tracer.trace(paths, samples);
+  return samples;
+}
+
+TEST(Path, WhatAPathBringsDoesNotDependOnItsNeighbours) {
+  const auto scene = variedRoom().compile();
+  const PathTracer tracer(*scene);
+  const std::vector<PathStart> paths = starts(200);
+  const std::vector<PathSample> together = traced(tracer, 200);
+  std::vector<PathSample> apart(paths.size());
+  for (std::size_t i = 0; i < paths.size(); i += 7)
+    tracer.trace(std::span(paths).subspan(i, std::min<std::size_t>(7, paths.size() - i)),
+                 std::span(apart).subspan(i));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    EXPECT_EQ(together[i].radiance, apart[i].radiance) << i;
+    EXPECT_EQ(together[i].albedo, apart[i].albedo) << i;
+    EXPECT_EQ(together[i].rays, apart[i].rays) << i;
+  }
+}
+
 TEST(Path, StrategiesOfFindingLightAgree) {
   const auto scene = variedRoom().compile();
   // Lamp and sun are large here, so that surface sampling alone comes to about 1 % as well.
   const auto mean = [&](LightSampling how, int n) {
     const PathTracer tracer(*scene, {.lightSampling = how});
     double sum = 0, squares = 0;
-    for (int i = 0; i < n; ++i) {
-      Sampler sampler(5, 9, static_cast<std::uint32_t>(i), 16, 3);
-      const Vec2f u = sampler.get2D();
-      const Vec3f d = normalized(Vec3f{1.5f * u.x - 0.75f, 1, 1.2f * u.y - 0.8f});
-      const double l = static_cast<double>(luminance(tracer.trace({{0, -1.9f, 1.2f}, d}, sampler).radiance));
+    for (const PathSample& sample : traced(tracer, n)) {
+      const double l = static_cast<double>(luminance(sample.radiance));
       sum += l;
       squares += l * l;
     }

@@ -1,0 +1,234 @@
+// Rays through the compiled scene, one by one and side by side.
+#include <algorithm>
+
+#include "render/accel/scene_accel.h"
+
+namespace idap::render {
+
+namespace {
+
+// What a shadow ray has met so far.
+struct ShadowRay {
+  Vec3f direction;
+  Rgb transmittance{1, 1, 1};
+  float lastT = -1.0f;  // the sheet counted last
+  std::uint32_t lastInstance = kNone;
+};
+
+// Travels through Embree to the filter; rays are found by their id.
+struct ShadowContext {
+  RTCIntersectContext embree;
+  const CompiledScene::Accel* accel;
+  ShadowRay* rays;
+};
+
+// True when the hit ends the ray.
+bool meets(const ShadowContext& context, ShadowRay& ray, const RTCHit& hit, float t) {
+  const std::uint32_t index = context.accel->instanceOf(hit.geomID, hit.instID[0]);
+  const HitInstance& instance = context.accel->instances[index];
+  // A ray through the edge between two triangles, or through faces modelled twice, passes one sheet, not two.
+  if (ray.lastInstance == index && std::fabs(t - ray.lastT) <= 2e-6f * t) return false;
+  ray.lastT = t;
+  ray.lastInstance = index;
+  const std::uint32_t triangle = instance.triangleOf(hit.geomID, hit.primID);
+  const SurfaceData& surface = context.accel->surfaces[instance.surfaceOf(triangle)];
+
+  Vec2f uv{};
+  if (surface.hasMaps && instance.uvs) {
+    const auto& c = instance.triangles[triangle];
+    uv = interpolate(instance.uvs[c[0]], instance.uvs[c[1]], instance.uvs[c[2]], hit.u, hit.v);
+  }
+  Vec3f normal{hit.Ng_x, hit.Ng_y, hit.Ng_z};
+  if (!context.accel->flat) normal = instance.normalToWorld.vector(normal);
+  const float l2 = dot(normal, normal);
+  const float cosine = l2 > 0 ? std::fabs(dot(normal, ray.direction)) / std::sqrt(l2) : 1.0f;
+  ray.transmittance *= straightTransmittance(surface, valuesAt(surface, uv), std::min(cosine, 1.0f));
+  return !(maxComponent(ray.transmittance) > 1e-5f);
+}
+
+// Embree's packets of as many rays as there are lanes.
+template <int N>
+struct Packet;
+template <>
+struct Packet<4> {
+  using RayHit = RTCRayHit4;
+  static constexpr auto intersect = rtcIntersect4;
+  static constexpr auto occluded = rtcOccluded4;
+};
+template <>
+struct Packet<8> {
+  using RayHit = RTCRayHit8;
+  static constexpr auto intersect = rtcIntersect8;
+  static constexpr auto occluded = rtcOccluded8;
+};
+template <>
+struct Packet<16> {
+  using RayHit = RTCRayHit16;
+  static constexpr auto intersect = rtcIntersect16;
+  static constexpr auto occluded = rtcOccluded16;
+};
+using RayPacket = Packet<kLanes>;
+
+template <class Rays>
+void fill(Rays& r, LaneMask active, const LaneRays& rays, Words masks, int (&valid)[kLanes]) {
+  rays.origin.x.copy_to(r.org_x, simd::element_aligned);
+  rays.origin.y.copy_to(r.org_y, simd::element_aligned);
+  rays.origin.z.copy_to(r.org_z, simd::element_aligned);
+  rays.direction.x.copy_to(r.dir_x, simd::element_aligned);
+  rays.direction.y.copy_to(r.dir_y, simd::element_aligned);
+  rays.direction.z.copy_to(r.dir_z, simd::element_aligned);
+  rays.tMin.copy_to(r.tnear, simd::element_aligned);
+  rays.tMax.copy_to(r.tfar, simd::element_aligned);
+  Floats(0.0f).copy_to(r.time, simd::element_aligned);
+  masks.copy_to(r.mask, simd::element_aligned);
+  Words(0u).copy_to(r.flags, simd::element_aligned);
+  Words([](auto k) { return static_cast<std::uint32_t>(k); }).copy_to(r.id, simd::element_aligned);
+  select(active, Ints(-1), Ints(0)).copy_to(valid, simd::element_aligned);
+}
+
+Ray rayOf(const LaneRays& rays, int k) {
+  const auto i = static_cast<std::size_t>(k);
+  return {lane(rays.origin, k), lane(rays.direction, k), rays.tMin[i], rays.tMax[i]};
+}
+
+}  // namespace
+
+void shadowFilter(const RTCFilterFunctionNArguments* args) {
+  const auto& context = *reinterpret_cast<ShadowContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const RTCHit hit = rtcGetHitFromHitN(args->hit, args->N, i);
+    ShadowRay& ray = context.rays[RTCRayN_id(args->ray, args->N, i)];
+    if (!meets(context, ray, hit, RTCRayN_tfar(args->ray, args->N, i))) args->valid[i] = 0;
+  }
+}
+
+bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool coherent) const {
+  if (log_) [[unlikely]]
+    log_->push_back({ray, mask, false, coherent});
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  RTCRayHit r;
+  r.ray = {ray.origin.x,
+           ray.origin.y,
+           ray.origin.z,
+           ray.tMin,
+           ray.direction.x,
+           ray.direction.y,
+           ray.direction.z,
+           0.0f,
+           ray.tMax,
+           mask,
+           0u,
+           0u};
+  r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(accel_->top.get(), &context, &r);
+  if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit.t = r.ray.tfar;
+  hit.u = r.hit.u;
+  hit.v = r.hit.v;
+  hit.instance = accel_->instanceOf(r.hit.geomID, r.hit.instID[0]);
+  if (hit.instance == RTC_INVALID_GEOMETRY_ID) {
+    hit.lamp = accel_->sphereLamps[r.hit.primID];
+  } else {
+    hit.lamp = kNone;
+    hit.triangle = accel_->instances[hit.instance].triangleOf(r.hit.geomID, r.hit.primID);
+  }
+  return true;
+}
+
+Rgb CompiledScene::transmittance(const Ray& ray) const {
+  if (log_) [[unlikely]]
+    log_->push_back({ray, kSeenByLight, true, false});
+  ShadowRay shadow{ray.direction};
+  ShadowContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.accel = accel_.get();
+  context.rays = &shadow;
+  RTCRay r{ray.origin.x,
+           ray.origin.y,
+           ray.origin.z,
+           ray.tMin,
+           ray.direction.x,
+           ray.direction.y,
+           ray.direction.z,
+           0.0f,
+           ray.tMax,
+           kSeenByLight,
+           0u,
+           0u};
+  rtcOccluded1(accel_->top.get(), &context.embree, &r);
+  return r.tfar < 0 ? Rgb{} : shadow.transmittance;
+}
+
+bool CompiledScene::occluded(const Ray& ray) const { return maxComponent(transmittance(ray)) <= 0; }
+
+Interaction CompiledScene::interaction(const Ray& ray, const Hit& hit) const {
+  return interactionOn(accel_->instances[hit.instance], accel_->surfaces.data(), ray, hit);
+}
+
+void CompiledScene::intersect(LaneMask active, const LaneRays& rays, LaneHits& hits, Words masks) const {
+  if (log_) [[unlikely]]
+    for (int k = 0; k < kLanes; ++k)
+      if (active[static_cast<std::size_t>(k)])
+        log_->push_back({rayOf(rays, k), lane(masks, k), false, (lane(masks, k) & kSeenByCamera) != 0});
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  RayPacket::RayHit r;
+  alignas(64) int valid[kLanes];
+  fill(r.ray, active, rays, masks, valid);
+  const Words none(RTC_INVALID_GEOMETRY_ID);
+  none.copy_to(r.hit.geomID, simd::element_aligned);
+  none.copy_to(r.hit.instID[0], simd::element_aligned);
+  RayPacket::intersect(valid, accel_->top.get(), &context, &r);
+  const Words geometry(r.hit.geomID, simd::element_aligned);
+  hits.found = active && toMask(geometry != none);
+  hits.lamp = hits.found && toMask(geometry == accel_->lampGeometry);
+  hits.t = Floats(r.ray.tfar, simd::element_aligned);
+  for (int k = 0; k < kLanes; ++k) {
+    if (!hits.found[static_cast<std::size_t>(k)]) continue;
+    Hit& hit = hits.hit[k];
+    hit.t = r.ray.tfar[k];
+    hit.u = r.hit.u[k];
+    hit.v = r.hit.v[k];
+    hit.instance = accel_->instanceOf(r.hit.geomID[k], r.hit.instID[0][k]);
+    if (hit.instance == RTC_INVALID_GEOMETRY_ID) {
+      hit.lamp = accel_->sphereLamps[r.hit.primID[k]];
+    } else {
+      hit.lamp = kNone;
+      hit.triangle = accel_->instances[hit.instance].triangleOf(r.hit.geomID[k], r.hit.primID[k]);
+    }
+  }
+}
+
+LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) const {
+  if (log_) [[unlikely]]
+    for (int k = 0; k < kLanes; ++k)
+      if (active[static_cast<std::size_t>(k)]) log_->push_back({rayOf(rays, k), kSeenByLight, true, false});
+  ShadowRay shadows[kLanes];
+  for (int k = 0; k < kLanes; ++k) shadows[k].direction = lane(rays.direction, k);
+  ShadowContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  context.accel = accel_.get();
+  context.rays = shadows;
+  RayPacket::RayHit r;
+  alignas(64) int valid[kLanes];
+  fill(r.ray, active, rays, Words(kSeenByLight), valid);
+  RayPacket::occluded(valid, accel_->top.get(), &context.embree, &r.ray);
+  const LaneMask free = active && Floats(r.ray.tfar, simd::element_aligned) >= 0.0f;
+  LaneArray3 through;
+  for (int k = 0; k < kLanes; ++k) through.set(k, shadows[k].transmittance);
+  return only(free, LaneVec(through));
+}
+
+void CompiledScene::points(LaneMask active, const LaneRays& rays, const LaneHits& hits,
+                           LanePoints& points) const {
+  fetchPoints(accel_->instances, accel_->surfaces, active, rays, hits, points);
+}
+
+}  // namespace idap::render
