@@ -172,7 +172,7 @@ double traceOnly(const CompiledScene& scene, const std::vector<LoggedRay>& rays,
   return since(start);
 }
 
-void measureKind(const char* name, const CompiledScene& compiled, const std::vector<LoggedRay>& log,
+void measureKind(const char* name, CompiledScene& compiled, const std::vector<LoggedRay>& log,
                  const std::function<bool(const LoggedRay&)>& belongs) {
   std::vector<LoggedRay> rays;
   std::copy_if(log.begin(), log.end(), std::back_inserter(rays), belongs);
@@ -180,7 +180,9 @@ void measureKind(const char* name, const CompiledScene& compiled, const std::vec
   std::uint64_t hits = 0;
   for (int round = 0; round < 3; ++round) {
     own = std::min(own, traceOnly(compiled, rays, sum));
+    compiled.setShadowFilter(false);
     bare = std::min(bare, replay(compiled.embreeScene(), rays, hits));
+    compiled.setShadowFilter(true);
   }
   std::printf("  %-14s%.2f M rays: tracing without shading reaches %.1f %% of bare Embree\n", name,
               static_cast<double>(rays.size()) / 1e6, 100 * bare / own);
@@ -214,7 +216,9 @@ void measure(const char* name, const std::shared_ptr<const Scene>& scene, const 
     const std::clock_t start = std::clock();
     idap::render::render(compiled, camera, settings, film);
     full = std::min(full, since(start));
+    compiled.setShadowFilter(false);
     bare = std::min(bare, replay(compiled.embreeScene(), log, hits));
+    compiled.setShadowFilter(true);
   }
   const auto count = static_cast<double>(log.size());
   std::printf("  %.2f M rays, %.0f %% of them shadow rays; checksum %llu\n", count / 1e6,

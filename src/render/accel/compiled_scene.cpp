@@ -244,6 +244,16 @@ void CompiledScene::setVisibleToCamera(std::uint32_t instance, bool visible) {
     if (accel_->hasPart(instance, part)) set(rtcGetGeometry(accel_->top.get(), 2 * instance + part));
 }
 
+void CompiledScene::setShadowFilter(bool on) {
+  for (std::uint32_t i = 0; i < accel_->instances.size(); ++i) {
+    if (!accel_->flat || !accel_->hasPart(i, kSieveGeometry)) continue;
+    RTCGeometry geometry = rtcGetGeometry(accel_->top.get(), 2 * i + kSieveGeometry);
+    rtcSetGeometryOccludedFilterFunction(geometry, on ? shadowFilter : nullptr);
+    rtcCommitGeometry(geometry);
+  }
+  rtcJoinCommitScene(accel_->top.get());
+}
+
 void CompiledScene::commit() { rtcJoinCommitScene(accel_->top.get()); }
 
 }  // namespace idap::render

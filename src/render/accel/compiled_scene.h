@@ -79,6 +79,8 @@ class CompiledScene {
   // light through.
   void setLog(std::vector<LoggedRay>* log) { log_ = log; }
   RTCSceneTy* embreeScene() const;
+  // Of one level only. Without it every triangle stops shadow rays, and any context may trace them.
+  void setShadowFilter(bool on);
 
   struct Accel;
 

@@ -64,17 +64,16 @@ void fetch(Fetched& f, int k, const HitInstance& data, const SurfaceData& surfac
 void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<SurfaceData>& surfaces,
                  LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points) {
   using namespace lane_math;
-  Fetched f;
-  const int some = simd::find_last_set(active);
-  for (int k = 0; k < kLanes; ++k) {
-    // Idle lanes work on something sound.
-    const Hit& hit = hits.hit[lane(active, k) ? k : some];
+  Fetched f{};  // idle lanes work on zeroes, in a medium that is one
+  f.ior = Floats(1.0f);
+  forLanes(active, [&](int k) {
+    const Hit& hit = hits.hit[k];
     const HitInstance& data = instances[hit.instance];
     points.surface[k] = &surfaces[data.surfaceOf(hit.triangle)];
     points.objectId[k] = data.objectId;
     points.lightGroup[k] = data.lightGroup;
     fetch(f, k, data, *points.surface[k], hit);
-  }
+  });
   const Floats u = f.u, v = f.v;
   const auto set = [](const LaneArray& a) { return Floats(a) > 0.0f; };
 

@@ -48,7 +48,7 @@ class PathTracer {
       : scene_(scene), options_(options) {}
 
   // How many paths are best followed in one call.
-  static constexpr std::size_t kBatch = 1024;
+  static constexpr std::size_t kBatch = 2048;
 
   // Follows the paths; samples: one each. groups: empty, or equally many sums a path, one a light group, to
   // which its light is added.

@@ -24,7 +24,7 @@ namespace idap::render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kTile = 16;
+constexpr int kTile = 32;
 constexpr int kUnlimitedLog2Samples = 10;
 constexpr int kFirstEstimate = 16;    // samples a pixel; fewer say nothing of the noise
 constexpr double kDoneShare = 0.999;  // of the pixels; the last few would take as long as all the others
