@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <numbers>
 
 namespace idap {
@@ -20,7 +21,9 @@ struct Vec2T {
   friend constexpr Vec2T operator/(Vec2T a, T s) { return {a.x / s, a.y / s}; }
   constexpr Vec2T& operator+=(Vec2T b) { return *this = *this + b; }
   constexpr Vec2T& operator-=(Vec2T b) { return *this = *this - b; }
-  friend constexpr bool operator==(const Vec2T&, const Vec2T&) = default;
+  friend constexpr bool operator==(const Vec2T& a, const Vec2T& b) requires std::floating_point<T> {
+    return a.x == b.x && a.y == b.y;
+  }
 };
 
 template <class T>  // a floating-point number, or several side by side
@@ -41,7 +44,9 @@ struct Vec3T {
   constexpr Vec3T& operator-=(Vec3T b) { return *this = *this - b; }
   constexpr Vec3T& operator*=(Vec3T b) { return *this = *this * b; }
   constexpr Vec3T& operator*=(T s) { return *this = *this * s; }
-  friend constexpr bool operator==(const Vec3T&, const Vec3T&) = default;
+  friend constexpr bool operator==(const Vec3T& a, const Vec3T& b) requires std::floating_point<T> {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }
 };
 
 using Vec2 = Vec2T<double>;

@@ -45,8 +45,9 @@ class BsdfT {
 
  public:
   BsdfT(const ShadingPoint<F>& at, const V& wo);
-  BsdfT(const Interaction& at, const SurfaceValues& values, Vec3f wo) requires(!kIsLanes<F>)
-      : BsdfT(shadingPoint(at, values), wo) {}
+  // Of one point. (A template, lest it be made for lanes, too.)
+  template <std::same_as<Interaction> At>
+  BsdfT(const At& at, const SurfaceValues& values, Vec3f wo) : BsdfT(shadingPoint(at, values), wo) {}
 
   BsdfValueT<F> eval(const V& wi) const;
   BsdfSampleT<F> sample(F lobe, const Vec2T<F>& u) const;
