@@ -18,6 +18,7 @@
 #include "catalog/catalog.h"
 #include "formats/registry.h"
 #include "render/accel/compiled_scene.h"
+#include "render/accel/embree_ray.h"
 #include "render/session/render_job.h"
 #include "scene/scene_builder.h"
 
@@ -126,24 +127,12 @@ std::shared_ptr<const Scene> furnishedRoom(bool evening) {
 double replay(RTCScene scene, const std::vector<LoggedRay>& rays, std::uint64_t& hits) {
   const std::clock_t start = std::clock();
   for (const LoggedRay& logged : rays) {
-    const Ray& ray = logged.ray;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags =
         logged.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     RTCRayHit r;
-    r.ray = {ray.origin.x,
-             ray.origin.y,
-             ray.origin.z,
-             ray.tMin,
-             ray.direction.x,
-             ray.direction.y,
-             ray.direction.z,
-             0.0f,
-             ray.tMax,
-             logged.mask,
-             0u,
-             0u};
+    r.ray = embreeRay(logged.ray, logged.mask);
     if (logged.shadow) {
       rtcOccluded1(scene, &context, &r.ray);
       hits += r.ray.tfar < 0;

@@ -40,6 +40,16 @@ struct CompiledScene::Accel {
     return geometry == lampGeometry ? kNone : geometry / 2;
   }
 
+  // The same with all that is known of it; t: along the ray.
+  Hit hitOf(float t, const RTCHit& hit) const {
+    Hit h{.t = t, .u = hit.u, .v = hit.v, .instance = instanceOf(hit.geomID, hit.instID[0])};
+    if (h.instance == kNone)
+      h.lamp = sphereLamps[hit.primID];
+    else
+      h.triangle = instances[h.instance].triangleOf(hit.geomID, hit.primID);
+    return h;
+  }
+
   // Whether the one level has such a geometry.
   bool hasPart(std::uint32_t instance, unsigned part) const {
     return meshOfInstance[instance] != kNone && inOneLevel[instance] &&

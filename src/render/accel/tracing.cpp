@@ -1,6 +1,7 @@
 // Rays through the compiled scene, one by one and side by side.
 #include <algorithm>
 
+#include "render/accel/embree_ray.h"
 #include "render/accel/scene_accel.h"
 
 namespace idap::render {
@@ -87,8 +88,7 @@ void fill(Rays& r, LaneMask active, const LaneRays& rays, Words masks, int (&val
 }
 
 Ray rayOf(const LaneRays& rays, int k) {
-  const auto i = static_cast<std::size_t>(k);
-  return {lane(rays.origin, k), lane(rays.direction, k), rays.tMin[i], rays.tMax[i]};
+  return {lane(rays.origin, k), lane(rays.direction, k), lane(rays.tMin, k), lane(rays.tMax, k)};
 }
 
 }  // namespace
@@ -110,32 +110,12 @@ bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool
   rtcInitIntersectContext(&context);
   context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   RTCRayHit r;
-  r.ray = {ray.origin.x,
-           ray.origin.y,
-           ray.origin.z,
-           ray.tMin,
-           ray.direction.x,
-           ray.direction.y,
-           ray.direction.z,
-           0.0f,
-           ray.tMax,
-           mask,
-           0u,
-           0u};
+  r.ray = embreeRay(ray, mask);
   r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(accel_->top.get(), &context, &r);
   if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit.t = r.ray.tfar;
-  hit.u = r.hit.u;
-  hit.v = r.hit.v;
-  hit.instance = accel_->instanceOf(r.hit.geomID, r.hit.instID[0]);
-  if (hit.instance == RTC_INVALID_GEOMETRY_ID) {
-    hit.lamp = accel_->sphereLamps[r.hit.primID];
-  } else {
-    hit.lamp = kNone;
-    hit.triangle = accel_->instances[hit.instance].triangleOf(r.hit.geomID, r.hit.primID);
-  }
+  hit = accel_->hitOf(r.ray.tfar, r.hit);
   return true;
 }
 
@@ -148,18 +128,7 @@ Rgb CompiledScene::transmittance(const Ray& ray) const {
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   context.accel = accel_.get();
   context.rays = &shadow;
-  RTCRay r{ray.origin.x,
-           ray.origin.y,
-           ray.origin.z,
-           ray.tMin,
-           ray.direction.x,
-           ray.direction.y,
-           ray.direction.z,
-           0.0f,
-           ray.tMax,
-           kSeenByLight,
-           0u,
-           0u};
+  RTCRay r = embreeRay(ray, kSeenByLight);
   rtcOccluded1(accel_->top.get(), &context.embree, &r);
   return r.tfar < 0 ? Rgb{} : shadow.transmittance;
 }
@@ -172,9 +141,9 @@ Interaction CompiledScene::interaction(const Ray& ray, const Hit& hit) const {
 
 void CompiledScene::intersect(LaneMask active, const LaneRays& rays, LaneHits& hits, Words masks) const {
   if (log_) [[unlikely]]
-    for (int k = 0; k < kLanes; ++k)
-      if (active[static_cast<std::size_t>(k)])
-        log_->push_back({rayOf(rays, k), lane(masks, k), false, (lane(masks, k) & kSeenByCamera) != 0});
+    forLanes(active, [&](int k) {
+      log_->push_back({rayOf(rays, k), lane(masks, k), false, (lane(masks, k) & kSeenByCamera) != 0});
+    });
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
@@ -189,26 +158,17 @@ void CompiledScene::intersect(LaneMask active, const LaneRays& rays, LaneHits& h
   hits.found = active && toMask(geometry != none);
   hits.lamp = hits.found && toMask(geometry == accel_->lampGeometry);
   hits.t = Floats(r.ray.tfar, simd::element_aligned);
-  for (int k = 0; k < kLanes; ++k) {
-    if (!hits.found[static_cast<std::size_t>(k)]) continue;
-    Hit& hit = hits.hit[k];
-    hit.t = r.ray.tfar[k];
-    hit.u = r.hit.u[k];
-    hit.v = r.hit.v[k];
-    hit.instance = accel_->instanceOf(r.hit.geomID[k], r.hit.instID[0][k]);
-    if (hit.instance == RTC_INVALID_GEOMETRY_ID) {
-      hit.lamp = accel_->sphereLamps[r.hit.primID[k]];
-    } else {
-      hit.lamp = kNone;
-      hit.triangle = accel_->instances[hit.instance].triangleOf(r.hit.geomID[k], r.hit.primID[k]);
-    }
-  }
+  forLanes(hits.found, [&](int k) {
+    RTCHit one;
+    one.u = r.hit.u[k], one.v = r.hit.v[k], one.primID = r.hit.primID[k], one.geomID = r.hit.geomID[k];
+    one.instID[0] = r.hit.instID[0][k];
+    hits.hit[k] = accel_->hitOf(r.ray.tfar[k], one);
+  });
 }
 
 LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) const {
   if (log_) [[unlikely]]
-    for (int k = 0; k < kLanes; ++k)
-      if (active[static_cast<std::size_t>(k)]) log_->push_back({rayOf(rays, k), kSeenByLight, true, false});
+    forLanes(active, [&](int k) { log_->push_back({rayOf(rays, k), kSeenByLight, true, false}); });
   ShadowRay shadows[kLanes];
   for (int k = 0; k < kLanes; ++k) shadows[k].direction = lane(rays.direction, k);
   ShadowContext context;

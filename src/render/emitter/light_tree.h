@@ -57,6 +57,9 @@ class LightTree {
   Choice descend(std::uint32_t node, const Receiver& at, Choice choice) const;
 
   struct Builder;
+  template <class F>
+  static F importanceOf(const Node& node, int child, const Vec3T<F>& position, const Vec3T<F>& normal,
+                        F behind);
   // Fills in the importance of each child; returns their sum.
   static float judge(const Node& node, const Receiver& at, float (&importance)[kWidth]);
   std::vector<Node> nodes_;

@@ -66,7 +66,9 @@ void LaneWalk::add(LaneMask lanes, const LaneVec& light, const Ints& group) {
   });
 }
 
-void LaneWalk::addOne(int k, Rgb light, std::uint16_t group) {
+void LaneWalk::addMet(int k, Rgb light, std::uint16_t group) {
+  if (options_.clampIndirect > 0 && lane(state.bounces, k) > 1)
+    light *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
   const auto i = static_cast<std::size_t>(k);
   state.radiance.x[i] += light.x;
   state.radiance.y[i] += light.y;
@@ -119,19 +121,15 @@ void LaneWalk::addEmission(LaneMask lanes, const LaneHits& hits, const LanePoint
   forLanes(lanes, [&](int k) {
     float weight = 1;
     if (!has(kSharp, k) && options_.lightSampling != LightSampling::SurfacesOnly) {
-      const Receiver from{lane(state.fromPosition, k), lane(state.fromNormal, k), has(kFromBothSides, k)};
       const Ray ray{lane(state.origin, k), lane(state.direction, k)};
-      const float light = local.pdfTriangle(from, ray, hits.hit[k], lane(at.shading.frontFace, k)) *
+      const float light = local.pdfTriangle(receiver(k), ray, hits.hit[k], lane(at.shading.frontFace, k)) *
                           lane(state.localShare, k);
       if (options_.lightSampling == LightSampling::LightsOnly)
         weight = light > 0 ? 0.0f : 1.0f;
       else
         weight = share(lane(state.pdf, k), light);
     }
-    Rgb light = lane(state.throughput, k) * at.surface[k]->emission * weight;
-    if (options_.clampIndirect > 0 && lane(state.bounces, k) > 1)
-      light *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
-    addOne(k, light, at.lightGroup[k]);
+    addMet(k, lane(state.throughput, k) * at.surface[k]->emission * weight, at.lightGroup[k]);
   });
 }
 
@@ -186,14 +184,12 @@ void LaneWalk::addLamps(LaneMask lanes, const LaneHits& hits) {
     if (dot(p - lamp.position, direction) >= 0) return;  // going out, not coming in
     float weight = 1;
     if (!has(kSharp, k) && options_.lightSampling == LightSampling::Both) {
-      const Receiver from{lane(state.fromPosition, k), lane(state.fromNormal, k), has(kFromBothSides, k)};
-      weight = share(lane(state.pdf, k), local.pdfLamp(from, hits.hit[k].lamp) * lane(state.localShare, k));
+      weight =
+          share(lane(state.pdf, k), local.pdfLamp(receiver(k), hits.hit[k].lamp) * lane(state.localShare, k));
     }
     if (!has(kSharp, k) && options_.lightSampling == LightSampling::LightsOnly) weight = 0;
-    Rgb light = lane(state.throughput, k) * local.lampRadiance(hits.hit[k].lamp, direction) * weight;
-    if (options_.clampIndirect > 0 && lane(state.bounces, k) > 1)
-      light *= std::min(1.0f, options_.clampIndirect / std::max(luminance(light), 1e-20f));
-    addOne(k, light, lamp.lightGroup);
+    const Rgb light = local.lampRadiance(hits.hit[k].lamp, direction);
+    addMet(k, lane(state.throughput, k) * light * weight, lamp.lightGroup);
   });
 }
 

@@ -41,8 +41,8 @@ enum WalkFlag : std::int32_t {
   kSharp = 4,          // camera or delta lobe: no light sampling could have found the same
   kFeaturesKnown = 8,
   kDepthKnown = 16,
-  kAsksLamps =
-      32,  // rather than the sky, at the next surface; decided beforehand, so that those can go together
+  // At the next surface, rather than the sky; decided beforehand, so that those who do can go together.
+  kAsksLamps = 32,
 };
 
 WalkState<float> beginWalk(const PathStart& start);
@@ -82,10 +82,14 @@ class LaneWalk {
   Floats draw1D(LaneMask wanted);
   LaneVec2 draw2D(LaneMask wanted);
 
+  Receiver receiver(int k) const {
+    return {lane(state.fromPosition, k), lane(state.fromNormal, k), has(kFromBothSides, k)};
+  }
   LaneReceiver receiver() const { return {state.fromPosition, state.fromNormal, has(kFromBothSides)}; }
   Floats clamped(const LaneVec& light, LaneMask indirect) const;
   void add(LaneMask lanes, const LaneVec& light, const Ints& group);
-  void addOne(int k, Rgb light, std::uint16_t group);
+  // Light that a ray has met by itself.
+  void addMet(int k, Rgb light, std::uint16_t group);
   void addSky(LaneMask lanes);
   void addLamps(LaneMask lanes, const LaneHits& hits);
   void addEmission(LaneMask lanes, const LaneHits& hits, const LanePoints& at);

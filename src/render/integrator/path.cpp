@@ -43,7 +43,7 @@ class WalkPool {
 // Room for all the random numbers of a step, so that those of the next do not depend on which were drawn.
 constexpr std::uint32_t kDrawsAStep = 16;
 
-// Follows the paths to their ends. begin: what happens to the lanes first, instead of a step; may be null.
+// Follows the paths to their ends. begin: what happens to the lanes first, instead of a step.
 template <class Begin>
 void follow(WalkPool& pool, LaneWalk& walk, const WalkBatch& batch, Begin&& begin) {
   const std::size_t count = batch.samples.size();

@@ -24,7 +24,8 @@ namespace idap::render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kTile = 32;
+constexpr int kLargeTile = 32, kSmallTile = 16;  // pixels a side; large ones fill the lanes better
+constexpr int kFewestTiles = 8;                  // a thread, lest some have nothing to do
 constexpr int kUnlimitedLog2Samples = 10;
 constexpr int kFirstEstimate = 16;    // samples a pixel; fewer say nothing of the noise
 constexpr double kDoneShare = 0.999;  // of the pixels; the last few would take as long as all the others
@@ -42,8 +43,9 @@ class Job {
                         .looks = settings.looks,
                         .hideSky = settings.transparentBackground,
                         .cache = settings.perLightGroupLayers ? nullptr : settings.cache.get()}),
-        tilesX_((film.width + kTile - 1) / kTile),
-        tilesY_((film.height + kTile - 1) / kTile),
+        tile_(tileFor(film)),
+        tilesX_((film.width + tile_ - 1) / tile_),
+        tilesY_((film.height + tile_ - 1) / tile_),
         log2Samples_(
             settings.spp > 0
                 ? std::min(16, static_cast<int>(std::bit_width(static_cast<unsigned>(settings.spp - 1))))
@@ -82,6 +84,12 @@ class Job {
 
  private:
   static constexpr int kLongestWave = 64;
+
+  static int tileFor(const Film& film) {
+    const std::size_t large = film.pixels() / (kLargeTile * kLargeTile);
+    const auto wanted = static_cast<std::size_t>(kFewestTiles * tbb::this_task_arena::max_concurrency());
+    return large >= wanted ? kLargeTile : kSmallTile;
+  }
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool stopped() const {
@@ -144,11 +152,11 @@ class Job {
   };
 
   void renderTile(int tile, int to) {
-    const int x0 = tile % tilesX_ * kTile, y0 = tile / tilesX_ * kTile;
+    const int x0 = tile % tilesX_ * tile_, y0 = tile / tilesX_ * tile_;
     // What every pixel had; of those that rest and those beyond the edge, more than it will get.
-    std::array<int, kTile * kTile> had;
+    std::array<int, kLargeTile * kLargeTile> had;
     int least = to;
-    for (int i = 0; i < kTile * kTile; ++i) {
+    for (int i = 0; i < tile_ * tile_; ++i) {
       const auto [x, y] = placeInTile(i);
       const bool inside = x0 + x < film_.width && y0 + y < film_.height;
       const std::size_t pixel = inside ? film_.index(x0 + x, y0 + y) : 0;
@@ -158,7 +166,7 @@ class Job {
     }
     Batch batch;
     for (int s = least; s < to; ++s)
-      for (int i = 0; i < kTile * kTile; ++i) {
+      for (int i = 0; i < tile_ * tile_; ++i) {
         if (s < had[static_cast<std::size_t>(i)]) continue;
         const auto [dx, dy] = placeInTile(i);
         const int x = x0 + dx, y = y0 + dy;
@@ -176,9 +184,9 @@ class Job {
   }
 
   // The tile's pixels by squares of four by four, so that the rays of neighbours are traced together.
-  static std::pair<int, int> placeInTile(int i) {
+  std::pair<int, int> placeInTile(int i) const {
     const int square = i / 16, within = i % 16;
-    return {square % (kTile / 4) * 4 + within % 4, square / (kTile / 4) * 4 + within / 4};
+    return {square % (tile_ / 4) * 4 + within % 4, square / (tile_ / 4) * 4 + within / 4};
   }
 
   // Follows the batch's paths and adds them to the film.
@@ -246,6 +254,7 @@ class Job {
   CameraRays rays_;
   PathTracer tracer_;
   std::optional<ClassicTracer> classic_;
+  int tile_;
   int tilesX_, tilesY_;
   int log2Samples_;
   std::vector<int> order_;
@@ -264,10 +273,9 @@ RenderStats render(const CompiledScene& scene, const Camera& camera, const Rende
   if (film.width != settings.width || film.height != settings.height || film.empty())
     throw RenderError(fmt::format("a film of {} x {} pixels for a picture of {} x {}", film.width,
                                   film.height, settings.width, settings.height));
-  Job job(scene, camera, settings, film, progress);
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
   RenderStats stats;
-  arena.execute([&] { stats = job.run(); });
+  arena.execute([&] { stats = Job(scene, camera, settings, film, progress).run(); });
   progress.report(1.0, "rendering");
   return stats;
 }

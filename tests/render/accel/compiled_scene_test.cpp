@@ -76,6 +76,34 @@ TEST(CompiledScene, AnEditSharesTheMeshesAndMovesShadowsAndLights) {
   }
 }
 
+// Rays side by side find what each finds by itself.
+void expectLanesAsOneByOne(const CompiledScene& scene, const LaneRays& rays) {
+  LaneHits hits;
+  scene.intersect(LaneMask(true), rays, hits, Words(kBounceRay));
+  const LaneMask solid = hits.found && !hits.lamp;
+  LanePoints points;
+  if (any(solid)) scene.points(solid, rays, hits, points);
+  const LaneVec through = scene.transmittance(LaneMask(true), rays);
+  for (int k = 0; k < kLanes; ++k) {
+    const Ray ray{lane(rays.origin, k), lane(rays.direction, k)};
+    Hit hit;
+    ASSERT_EQ(scene.intersect(ray, hit, kBounceRay), lane(hits.found, k));
+    EXPECT_NEAR(luminance(scene.transmittance(ray)), luminance(lane(through, k)), 1e-3f);
+    if (!lane(hits.found, k)) continue;
+    EXPECT_NEAR(hit.t, lane(hits.t, k), 1e-4f);
+    ASSERT_EQ(hit.isLamp(), lane(hits.lamp, k));
+    if (hit.isLamp()) continue;
+    const Interaction at = scene.interaction(ray, hit);
+    EXPECT_LT(length(at.position - lane(points.position, k)), 1e-4f);
+    EXPECT_EQ(at.frontFace, lane(points.shading.frontFace, k));
+    EXPECT_EQ(at.surface, points.surface[k]);
+    EXPECT_NEAR(at.offset, lane(points.offset, k), 1e-3f * at.offset);
+    if (hit.triangle != hits.hit[k].triangle) continue;  // on an edge
+    EXPECT_GT(dot(at.ng, lane(points.shading.ng, k)), 0.9999f);
+    EXPECT_GT(dot(at.ns, lane(points.shading.ns, k)), 0.999f);
+  }
+}
+
 TEST(CompiledScene, OneLevelAndTwoFindTheSame) {
   SceneMaker make;
   Surface glass;
@@ -94,7 +122,8 @@ TEST(CompiledScene, OneLevelAndTwoFindTheSame) {
     s->setVisibleToCamera(1, false);
     s->commit();
   }
-  int hits = 0, lamps = 0;
+  int hits = 0, lamps = 0, lane = 0;
+  LaneArray3 origins, directions;
   for (int i = 0; i < 3000; ++i) {
     const Vec2f u = hammersley(i, 3000);
     const Vec3f d = Frame({0, 0, i % 2 ? 1.0f : -1.0f}).toWorld(uniformCone(u, 0.05f));
@@ -116,6 +145,10 @@ TEST(CompiledScene, OneLevelAndTwoFindTheSame) {
       EXPECT_EQ(p.frontFace, q.frontFace);
     }
     EXPECT_NEAR(luminance(one.transmittance(ray)), luminance(two.transmittance(ray)), 1e-3f) << i;
+    origins.set(lane, ray.origin), directions.set(lane, ray.direction);
+    if (++lane < kLanes) continue;
+    lane = 0;
+    for (const CompiledScene* s : {&one, &two}) expectLanesAsOneByOne(*s, {origins, directions});
   }
   EXPECT_GT(hits, 1000);
   EXPECT_GT(lamps, 10);
