@@ -73,7 +73,6 @@ IDAP_INLINE typename T::mask_type maskOf(LaneMask m) {
 inline float select(bool m, float a, float b) { return m ? a : b; }
 inline std::int32_t select(bool m, std::int32_t a, std::int32_t b) { return m ? a : b; }
 inline std::uint32_t select(bool m, std::uint32_t a, std::uint32_t b) { return m ? a : b; }
-inline bool select(bool m, bool a, bool b) { return m ? a : b; }
 IDAP_INLINE Floats select(LaneMask m, Floats a, Floats b) {
   where(m, b) = a;
   return b;
@@ -86,7 +85,6 @@ IDAP_INLINE Words select(LaneMask m, Words a, Words b) {
   where(maskOf<Words>(m), b) = a;
   return b;
 }
-IDAP_INLINE LaneMask select(LaneMask m, LaneMask a, LaneMask b) { return (m && a) || (!m && b); }
 template <class F>
 IDAP_INLINE Vec3T<F> select(const std::type_identity_t<Mask<F>>& m, const Vec3T<F>& a, const Vec3T<F>& b) {
   return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
@@ -126,7 +124,6 @@ IDAP_INLINE Floats broadcast(float v) {
 // Names that std and the lanes share, for code on either.
 namespace lane_math {
 using simd::abs;
-using simd::ceil;
 using simd::copysign;
 using simd::floor;
 using simd::max;
@@ -140,8 +137,6 @@ inline float min(float a, float b) { return b < a ? b : a; }
 inline float max(float a, float b) { return a < b ? b : a; }
 IDAP_INLINE Floats min(Floats a, float b) { return simd::min(a, broadcast(b)); }
 IDAP_INLINE Floats max(Floats a, float b) { return simd::max(a, broadcast(b)); }
-inline std::int32_t min(std::int32_t a, std::int32_t b) { return b < a ? b : a; }
-inline std::int32_t max(std::int32_t a, std::int32_t b) { return a < b ? b : a; }
 template <class F>
 IDAP_INLINE F clamp(F v, float low, float high) {
   return min(max(v, low), high);
@@ -176,7 +171,6 @@ IDAP_INLINE Floats maxComponent(const LaneVec& c) { return simd::max(c.x, simd::
 struct alignas(64) LaneArray {
   float value[kLanes];
   float& operator[](int k) { return value[k]; }
-  float operator[](int k) const { return value[k]; }
   LaneArray() = default;
   LaneArray(Floats v) { v.copy_to(value, simd::element_aligned); }
   operator Floats() const { return Floats(value, simd::element_aligned); }
@@ -186,7 +180,6 @@ struct LaneArray3 {
   LaneArray3() = default;
   LaneArray3(const LaneVec& v) : x(v.x), y(v.y), z(v.z) {}
   void set(int k, Vec3f v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
-  Vec3f operator[](int k) const { return {x[k], y[k], z[k]}; }
   operator LaneVec() const { return {x, y, z}; }
 };
 // f(lane) for every lane that the mask has.
@@ -201,10 +194,7 @@ inline float lane(const Floats& v, int k) { return v[static_cast<std::size_t>(k)
 inline std::int32_t lane(const Ints& v, int k) { return v[static_cast<std::size_t>(k)]; }
 inline std::uint32_t lane(const Words& v, int k) { return v[static_cast<std::size_t>(k)]; }
 inline bool lane(const LaneMask& v, int k) { return v[static_cast<std::size_t>(k)]; }
-inline Vec3f lane(const LaneVec& v, int k) {
-  return {float(v.x[static_cast<std::size_t>(k)]), float(v.y[static_cast<std::size_t>(k)]),
-          float(v.z[static_cast<std::size_t>(k)])};
-}
+inline Vec3f lane(const LaneVec& v, int k) { return {lane(v.x, k), lane(v.y, k), lane(v.z, k)}; }
 
 // A vector with the same value in every lane, or itself.
 template <class F>
