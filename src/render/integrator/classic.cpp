@@ -96,7 +96,7 @@ ClassicTracer::ClassicTracer(const CompiledScene& scene)
 ClassicTracer::ClassicTracer(const CompiledScene& scene, std::vector<ClassicLight> lights)
     : scene_(scene), lights_(std::move(lights)) {}
 
-bool ClassicTracer::lit(const ClassicLight& light, Vec3f point, Vec3f& toLight) const {
+bool ClassicTracer::lit(const ClassicLight& light, Vec3f point, Vec3f normal, Vec3f& toLight) const {
   Ray shadow{point, light.position, kClassicEpsilon, std::numeric_limits<float>::infinity()};
   if (!light.far) {
     const Vec3f way = light.position - point;
@@ -106,6 +106,7 @@ bool ClassicTracer::lit(const ClassicLight& light, Vec3f point, Vec3f& toLight) 
     shadow.tMax = distance - std::max(light.radius, kClassicEpsilon);
   }
   toLight = shadow.direction;
+  if (!(dot(normal, toLight) > 0)) return false;
   return !(shadow.tMax > shadow.tMin && scene_.occluded(shadow));
 }
 
@@ -133,7 +134,7 @@ Rgb ClassicTracer::follow(Ray ray, int depth, Vec3f eye) const {
   Rgb sum = own * s.ambient;
   const auto add = [&](const ClassicLight& light) {
     Vec3f toLight;
-    if (!lit(light, at.position, toLight)) return;
+    if (!lit(light, at.position, n, toLight)) return;
     sum += classicShade(s, own, light.color, n, toLight, d);
   };
   for (const ClassicLight& light : lights_) add(light);

@@ -57,7 +57,7 @@ class ClassicTracer {
 
  private:
   Rgb follow(Ray ray, int depth, Vec3f eye) const;
-  bool lit(const ClassicLight& light, Vec3f point, Vec3f& toLight) const;
+  bool lit(const ClassicLight& light, Vec3f point, Vec3f normal, Vec3f& toLight) const;
 
   const CompiledScene& scene_;
   std::vector<ClassicLight> lights_;

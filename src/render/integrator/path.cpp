@@ -30,10 +30,12 @@ class WalkPool {
     std::memcpy(static_cast<void*>(&state), static_cast<const void*>(lanes), sizeof(state));
   }
   void store(const Ints& paths, const WalkState<Floats>& state) {
-    Floats lanes[kWalkWords];
+    float lanes[kWalkWords][kLanes];
     std::memcpy(static_cast<void*>(lanes), static_cast<const void*>(&state), sizeof(state));
-    const Ints first = paths * static_cast<std::int32_t>(kWalkWords);
-    for (std::size_t w = 0; w < kWalkWords; ++w) scatter(words_.data() + w, first, lanes[w]);
+    for (int k = 0; k < kLanes; ++k) {
+      float* words = words_.data() + static_cast<std::size_t>(lane(paths, k)) * kWalkWords;
+      for (std::size_t w = 0; w < kWalkWords; ++w) words[w] = lanes[w][k];
+    }
   }
 
  private:

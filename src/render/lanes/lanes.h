@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -155,20 +156,11 @@ IDAP_INLINE Floats gather(const float* base, Ints index) {
 #endif
 }
 
-// base[index] = value. No two lanes may have the same index.
-inline void scatter(float* base, Ints index, Floats value) {
-#if defined(__AVX512F__)
-  _mm512_i32scatter_ps(base, static_cast<__m512i>(index), static_cast<__m512>(value), 4);
-#else
-  for (std::size_t k = 0; k < kLanes; ++k) base[index[k]] = value[k];
-#endif
-}
-
 IDAP_INLINE Floats luminance(const LaneVec& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 IDAP_INLINE Floats maxComponent(const LaneVec& c) { return simd::max(c.x, simd::max(c.y, c.z)); }
 
 // Numbers that are written one by one and read as lanes.
-struct alignas(64) LaneArray {
+struct alignas(sizeof(Floats)) LaneArray {
   float value[kLanes];
   float& operator[](int k) { return value[k]; }
   LaneArray() = default;
@@ -182,12 +174,23 @@ struct LaneArray3 {
   void set(int k, Vec3f v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
   operator LaneVec() const { return {x, y, z}; }
 };
-// f(lane) for every lane that the mask has.
+// A bit for every lane that the mask has, the first lane's lowest.
+IDAP_INLINE std::uint32_t bitsOf(LaneMask mask) {
+#if defined(__AVX512F__)
+  return static_cast<__mmask16>(mask);
+#elif defined(__AVX2__)
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(static_cast<__m256>(only(mask, Floats(-1.0f)))));
+#else
+  std::uint32_t bits = 0;
+  for (int k = 0; k < kLanes; ++k)
+    bits |= static_cast<std::uint32_t>(mask[static_cast<std::size_t>(k)]) << k;
+  return bits;
+#endif
+}
+// f(lane) for every lane that the mask has, in order.
 template <class Function>
 void forLanes(LaneMask mask, Function&& f) {
-  if (!any(mask)) return;
-  for (int k = 0; k < kLanes; ++k)
-    if (mask[static_cast<std::size_t>(k)]) f(k);
+  for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) f(std::countr_zero(bits));
 }
 inline LaneVec toLanes(Vec3f v) { return {broadcast(v.x), broadcast(v.y), broadcast(v.z)}; }
 inline float lane(const Floats& v, int k) { return v[static_cast<std::size_t>(k)]; }
