@@ -182,8 +182,7 @@ IDAP_INLINE std::uint32_t bitsOf(LaneMask mask) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(static_cast<__m256>(only(mask, Floats(-1.0f)))));
 #else
   std::uint32_t bits = 0;
-  for (int k = 0; k < kLanes; ++k)
-    bits |= static_cast<std::uint32_t>(mask[static_cast<std::size_t>(k)]) << k;
+  for (int k = 0; k < kLanes; ++k) bits |= static_cast<std::uint32_t>(mask[static_cast<std::size_t>(k)]) << k;
   return bits;
 #endif
 }

@@ -15,6 +15,7 @@
 #include "base/platform.h"
 #include "model/diff.h"
 #include "render/denoise/denoise.h"
+#include "render/film/carry_over.h"
 #include "render/film/develop.h"
 #include "render/film/enlarge.h"
 #include "render/film/exposure.h"
@@ -36,6 +37,8 @@ constexpr double kFewest = 0.3;        // share of those pixels, at least
 constexpr int kCachePaths = 24'000;    // that a view's light is learned from at first
 constexpr int kBetterPaths = 200'000;  // and once it has so many samples a pixel
 constexpr int kBetterFrom = 8;
+// Until there are so many samples a pixel, what has not changed is shown as it was before.
+constexpr int kCarriedUntil = 8;
 constexpr double kCalm = 0.35;  // how far the exposure of coarse frames follows each new one
 constexpr float kJump = 1.5f;   // stops from where it does so at once
 
@@ -150,6 +153,14 @@ struct LiveRender::Impl {
   LiveRequest request;
   std::uint64_t answering = 0;
   std::shared_ptr<LiveView> view;
+  // A whole frame as it was last shown, before exposure, and what it was a view of.
+  struct Clean {
+    LiveRequest request;  // without the home
+    std::shared_ptr<const LiveView> view;
+    render::Features sketch;  // as coarse frames see it
+    render::CleanPicture picture;
+  };
+  std::optional<Clean> before, latest;  // the request now answered; by it
   std::optional<float> ev;
   Rgb illuminant{1, 1, 1};
   double share = 1;  // of the coarse frame's pixels
@@ -173,6 +184,7 @@ struct LiveRender::Impl {
       try {
         const auto began = std::chrono::steady_clock::now();
         stage.follow(request, *building);
+        keepWhatStays();
         const std::chrono::duration<double> built = std::chrono::steady_clock::now() - began;
         coarse(std::clamp(kAnswerTime - built.count(), kShortest, kCoarseTime));
         refine(*progress);
@@ -201,6 +213,19 @@ struct LiveRender::Impl {
     sink.frame({answering, std::move(image), samples, finished, *ev - request.compensation, view});
   }
 
+  // The exposure and the colour of the light. calmly: from few paths, which are not to make the view flicker.
+  void meter(const render::Film& film, const std::vector<Rgb>& color, bool calmly) {
+    const float measured = render::autoExposure(film, color);
+    const Rgb light = render::estimateIlluminant(film);
+    if (!calmly || !ev || std::fabs(measured - *ev) > kJump) {
+      ev = measured;
+      illuminant = light;
+    } else {
+      *ev += float(kCalm) * (measured - *ev);
+      illuminant += (light - illuminant) * float(kCalm);
+    }
+  }
+
   // A frame at once: little light, much sharpness. Never broken off, so that something shows while changes
   // come in faster than frames.
   void coarse(double budget) {
@@ -214,26 +239,47 @@ struct LiveRender::Impl {
     if (ev) settings.clampIndirect = render::clampFor(*ev);
     render::Film film(w, h);
     render::render(stage.scene(), camera(), settings, film);
-    const auto [sw, sh] = sized(request, share * kSketchPixels);
+    auto [sw, sh] = sized(request, share * kSketchPixels);
+    if (before) sw = before->sketch.width, sh = before->sketch.height;
     lookThrough(sw, sh);
     std::vector<Rgb> color = film.meanColors();
     denoiser.run(film, color, {.threads = threads, .fast = true});
-    const float measured = render::autoExposure(film, color);
-    const Rgb light = render::estimateIlluminant(film);
-    if (!ev || std::fabs(measured - *ev) > kJump) {
-      ev = measured;
-      illuminant = light;
-    } else {
-      *ev += float(kCalm) * (measured - *ev);
-      illuminant += (light - illuminant) * float(kCalm);
-    }
     std::vector<Rgb> large = render::enlarged(film, color, view->features, threads);
+    int width = sw, height = sh;
+    if (before) {
+      render::CleanPicture shown =
+          render::carriedOver(before->picture, before->sketch, film, view->features, large, 1, threads);
+      width = shown.width, height = shown.height;
+      color = render::reduced(shown, w, h);
+      large = std::move(shown.color);
+    }
+    meter(film, color, true);
     const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
     const float gain = render::exposureMultiplier(*ev - request.compensation);
     for (Rgb& c : large) c = balance(c) * gain;
-    emitFrame(render::toImage(large, sw, sh, request.toneMap), 0, false);
+    emitFrame(render::toImage(large, width, height, request.toneMap), 0, false);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     share = std::clamp(share * std::clamp(budget / took.count(), 0.7, 1.1), kFewest, 1.0);
+  }
+
+  // What was shown last is of use where the same is looked at in the same light.
+  void keepWhatStays() {
+    if (latest) before = std::exchange(latest, std::nullopt);
+    if (!before) return;
+    const LiveRequest& r = before->request;
+    if (r.camera != request.camera || r.width != request.width || r.height != request.height ||
+        r.cut != request.cut || r.lamps != request.lamps || r.catalog != request.catalog ||
+        before->view->outside != stage.outside())
+      before.reset();
+  }
+
+  void keep(const std::vector<Rgb>& color) {
+    if (!latest) {
+      const auto [w, h] = sized(request, share * kSketchPixels);
+      latest = Clean{request, view, render::features(stage.scene(), camera(), w, h, threads), {}};
+      latest->request.home = {};
+    }
+    latest->picture = {request.width, request.height, color};
   }
 
   // A third of the size first, then the whole in waves of doubling length.
@@ -266,13 +312,21 @@ struct LiveRender::Impl {
   }
 
   void show(const render::Film& film, int samples, bool finished, const Progress& progress) {
-    const bool enlarge = film.width < request.width;
     std::vector<Rgb> color = film.meanColors();
     denoiser.run(film, color, {.threads = threads, .fast = !finished, .progress = &progress});
     progress.check();
-    ev = render::autoExposure(film, color);
-    illuminant = render::estimateIlluminant(film);
-    if (enlarge) color = render::enlarged(film, color, view->features, threads);
+    std::vector<Rgb> metered = color;
+    if (film.width < request.width) color = render::enlarged(film, color, view->features, threads);
+    if (before && !finished && samples < kCarriedUntil) {
+      const float old = 1 - static_cast<float>(samples) / static_cast<float>(kCarriedUntil);
+      render::CleanPicture shown = render::carriedOver(before->picture, before->view->features, film,
+                                                       view->features, color, old, threads);
+      metered = render::reduced(shown, film.width, film.height);
+      color = std::move(shown.color);
+    }
+    meter(film, metered, before && samples == 0);
+    if (film.width == request.width) keep(color);
+    if (samples >= kCarriedUntil) before.reset();
     const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
     const float gain = render::exposureMultiplier(*ev - request.compensation);
     for (Rgb& c : color) c = balance(c) * gain;

@@ -84,5 +84,38 @@ TEST(LiveRender, WaitsWhilePausedAndEndsInTheMiddleOfWork) {
   viewer.await(generation, false);
 }
 
+double meanDifference(const Image8& a, const Image8& b) {
+  EXPECT_EQ(a.rgb.size(), b.rgb.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int(a.rgb[i]) - int(b.rgb[i]));
+  return sum / double(a.rgb.size());
+}
+
+TEST(LiveRender, WhatDoesNotChangeStaysCleanFromTheFirstFrameOn) {
+  Viewer viewer;
+  viewer.request.samples = 16;
+  const LiveFrame rest = viewer.await(viewer.live.submit(viewer.request), true);
+  viewer.request.home.name = "renamed";
+  const LiveFrame first = viewer.await(viewer.live.submit(viewer.request), false);
+  EXPECT_EQ(first.samples, 0);
+  EXPECT_LT(meanDifference(first.image, rest.image), 3);
+}
+
+TEST(LiveRender, AFinishedFrameOwesNothingToTheOnesBefore) {
+  Viewer viewer, fresh;
+  viewer.request.samples = fresh.request.samples = 8;
+  viewer.await(viewer.live.submit(viewer.request), true);
+  for (const auto& [id, wall] : viewer.request.home.walls) {
+    Wall painted = *wall;
+    painted.left.finish.color = painted.right.finish.color = Color{0.8f, 0.1f, 0.1f};
+    viewer.request.home.walls.set(id, painted);
+    break;
+  }
+  fresh.request.home = viewer.request.home;
+  const LiveFrame changed = viewer.await(viewer.live.submit(viewer.request), true);
+  const LiveFrame anew = fresh.await(fresh.live.submit(fresh.request), true);
+  EXPECT_LT(meanDifference(changed.image, anew.image), 1);
+}
+
 }  // namespace
 }  // namespace idap
