@@ -19,6 +19,9 @@ constexpr int kReach = 2;  // pixels around what has moved, of 640 along a row: 
 constexpr float kRadii[] = {1 / 10.0f, 1 / 20.0f, 1 / 40.0f, 1 / 80.0f, 1 / 160.0f};
 // A difference is believed from so many standard errors, and wholly from twice as many.
 constexpr float kBelieved = 4.0f;
+// Smaller parts of the light than the first are no change: a cache of light that has been learned anew errs
+// by as much.
+constexpr float kNoChange = 0.03f, kChange = 0.1f;
 constexpr float kFewest = 60;  // pixels of a neighbourhood; fewer do not tell how uncertain they are
 // Where neighbours were so many times as bright, the edge between them says more than any light.
 constexpr float kEdge = 1.6f;
@@ -157,8 +160,9 @@ std::vector<Rgb> changeOfLight(const std::vector<Rgb>& before, const std::vector
       const float pixels = 2.25f * side * side * weight / whole;
       if (pixels < kFewest) continue;
       const float error = std::sqrt(spread[i] / pixels);
-      const float t = std::fabs(l - luminance(change[i])) / std::max(error, 1e-9f);
-      change[i] += (d - change[i]) * step(kBelieved, 2 * kBelieved, t);
+      const float apart = std::fabs(l - luminance(change[i]));
+      change[i] += (d - change[i]) * (step(kBelieved, 2 * kBelieved, apart / std::max(error, 1e-9f)) *
+                                      step(kNoChange, kChange, apart));
     }
   }
   return change;

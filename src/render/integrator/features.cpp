@@ -43,7 +43,7 @@ void look(const CompiledScene& scene, Ray ray, Features& out, std::size_t i) {
       ray = {at.originTowards(d), normalized(d)};
       continue;
     }
-    out.albedo[i] = values.baseColor;
+    out.albedo[i] = at.surface->emits ? Rgb{1, 1, 1} : values.baseColor;
     out.normal[i] = dot(at.ns, ray.direction) > 0 ? -at.ns : at.ns;
     out.depth[i] = travelled + hit.t;
     return;

@@ -12,7 +12,8 @@ namespace idap::render {
 
 struct Features {
   int width = 0, height = 0;    // rows from the top
-  std::vector<Rgb> albedo;      // of the first surface that is no clear glass and no mirror; 0: the sky
+  std::vector<Rgb> albedo;      // of the first surface that is no clear glass and no mirror; 0: the sky; what
+                                // shines is white, as in a film
   std::vector<Vec3f> normal;    // of that surface, towards the eye, unit; 0: the sky
   std::vector<float> depth;     // m along the ray to that surface; 0: the sky
   std::vector<float> distance;  // m to the first surface of any kind; 0: the sky

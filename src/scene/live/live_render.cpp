@@ -159,6 +159,8 @@ struct LiveRender::Impl {
     std::shared_ptr<const LiveView> view;
     render::Features sketch;  // as coarse frames see it
     render::CleanPicture picture;
+    float ev = 0;
+    Rgb illuminant{1, 1, 1};
   };
   std::optional<Clean> before, latest;  // the request now answered; by it
   std::optional<float> ev;
@@ -226,6 +228,20 @@ struct LiveRender::Impl {
     }
   }
 
+  // The same by what has changed, seen through the same film: small ones meter a little differently.
+  void meterAgainstBefore(render::Film film, const render::CleanPicture& shown) {
+    const auto measured = [&](const render::CleanPicture& picture) {
+      std::vector<Rgb> color = render::reduced(picture, film.width, film.height);
+      const float exposure = render::autoExposure(film, color);
+      for (std::size_t i = 0; i < color.size(); ++i) film.color[i] = color[i] * film.weight[i];
+      return std::pair(exposure, render::estimateIlluminant(film));
+    };
+    const auto [evNow, lightNow] = measured(shown);
+    const auto [evBefore, lightBefore] = measured(before->picture);
+    ev = before->ev + evNow - evBefore;
+    illuminant = before->illuminant * lightNow / lightBefore;
+  }
+
   // A frame at once: little light, much sharpness. Never broken off, so that something shows while changes
   // come in faster than frames.
   void coarse(double budget) {
@@ -250,10 +266,11 @@ struct LiveRender::Impl {
       render::CleanPicture shown =
           render::carriedOver(before->picture, before->sketch, film, view->features, large, 1, threads);
       width = shown.width, height = shown.height;
-      color = render::reduced(shown, w, h);
+      meterAgainstBefore(film, shown);
       large = std::move(shown.color);
+    } else {
+      meter(film, color, true);
     }
-    meter(film, color, true);
     const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
     const float gain = render::exposureMultiplier(*ev - request.compensation);
     for (Rgb& c : large) c = balance(c) * gain;
@@ -280,6 +297,8 @@ struct LiveRender::Impl {
       latest->request.home = {};
     }
     latest->picture = {request.width, request.height, color};
+    latest->ev = *ev;
+    latest->illuminant = illuminant;
   }
 
   // A third of the size first, then the whole in waves of doubling length.
@@ -315,16 +334,16 @@ struct LiveRender::Impl {
     std::vector<Rgb> color = film.meanColors();
     denoiser.run(film, color, {.threads = threads, .fast = !finished, .progress = &progress});
     progress.check();
-    std::vector<Rgb> metered = color;
+    const bool carries = before && !finished && samples < kCarriedUntil;
+    if (!carries) meter(film, color, false);
     if (film.width < request.width) color = render::enlarged(film, color, view->features, threads);
-    if (before && !finished && samples < kCarriedUntil) {
+    if (carries) {
       const float old = 1 - static_cast<float>(samples) / static_cast<float>(kCarriedUntil);
       render::CleanPicture shown = render::carriedOver(before->picture, before->view->features, film,
                                                        view->features, color, old, threads);
-      metered = render::reduced(shown, film.width, film.height);
+      meterAgainstBefore(film, shown);
       color = std::move(shown.color);
     }
-    meter(film, metered, before && samples == 0);
     if (film.width == request.width) keep(color);
     if (samples >= kCarriedUntil) before.reset();
     const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
