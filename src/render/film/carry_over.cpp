@@ -191,6 +191,23 @@ struct Between {
 
 }  // namespace
 
+PixelRegion changedRegion(const Features& seen, const Features& sees) {
+  const std::vector<float> same = unchanged(seen, sees);
+  int x0 = sees.width, y0 = sees.height, x1 = 0, y1 = 0;
+  for (int y = 0; y < sees.height; ++y)
+    for (int x = 0; x < sees.width; ++x)
+      if (same[sees.index(x, y)] <= 0) {
+        x0 = std::min(x0, x), x1 = std::max(x1, x + 1);
+        y0 = std::min(y0, y), y1 = std::max(y1, y + 1);
+      }
+  if (x0 >= x1) return {};
+  // Shadows lie beside what throws them.
+  const int margin = sees.width / 20;
+  x0 = std::max(x0 - margin, 0), x1 = std::min(x1 + margin, sees.width);
+  y0 = std::max(y0 - margin, 0), y1 = std::min(y1 + margin, sees.height);
+  return {x0, y0, x1 - x0, y1 - y0};
+}
+
 std::vector<Rgb> reduced(const CleanPicture& from, int width, int height) {
   if (from.width == width && from.height == height) return from.color;
   std::vector<Rgb> out(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/film/film.h"
+#include "render/film/pixel_region.h"
 #include "render/integrator/features.h"
 
 namespace idap::render {
@@ -22,6 +23,9 @@ struct CleanPicture {
 // those. share: of what is unchanged, 0..1. Throws RenderError where sizes that must be equal are not.
 CleanPicture carriedOver(const CleanPicture& before, const Features& seen, const Film& film,
                          const Features& sees, const std::vector<Rgb>& color, float share, int threads = 0);
+
+// What encloses all that the view does not show as before, and some pixels around it.
+PixelRegion changedRegion(const Features& seen, const Features& sees);
 
 // At a smaller size: every pixel the mean of those that it covers.
 std::vector<Rgb> reduced(const CleanPicture& picture, int width, int height);

@@ -160,7 +160,8 @@ class Job {
       const auto [x, y] = placeInTile(i);
       const bool inside = x0 + x < film_.width && y0 + y < film_.height;
       const std::size_t pixel = inside ? film_.index(x0 + x, y0 + y) : 0;
-      const bool rests = !inside || (!resting_.empty() && resting_[pixel]);
+      const bool rests = !inside || (!resting_.empty() && resting_[pixel]) ||
+                         (!settings_.region.empty() && !settings_.region.has(x0 + x, y0 + y));
       had[static_cast<std::size_t>(i)] = rests ? to : static_cast<int>(film_.weight[pixel]);
       least = std::min(least, had[static_cast<std::size_t>(i)]);
     }

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "render/accel/compiled_scene.h"
 #include "render/film/film.h"
+#include "render/film/pixel_region.h"
 #include "render/integrator/camera_ray.h"
 
 namespace idap::render {
@@ -36,6 +37,7 @@ struct RenderSettings {
   PixelFilter filter = PixelFilter::BlackmanHarris;
   bool perLightGroupLayers = false;
   bool transparentBackground = false;  // the sky lights the scene but is not seen behind it
+  PixelRegion region{};                // the pixels that get samples; empty: all
 };
 
 struct RenderStats {

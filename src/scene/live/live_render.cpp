@@ -13,16 +13,16 @@
 #include <utility>
 
 #include "base/platform.h"
-#include "model/diff.h"
 #include "render/denoise/denoise.h"
 #include "render/film/carry_over.h"
+#include "render/film/crop.h"
 #include "render/film/develop.h"
 #include "render/film/enlarge.h"
 #include "render/film/exposure.h"
 #include "render/session/fill_cache.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
-#include "scene/scene_memory.h"
+#include "scene/live/live_stage.h"
 
 namespace idap {
 
@@ -39,8 +39,10 @@ constexpr int kBetterPaths = 200'000;  // and once it has so many samples a pixe
 constexpr int kBetterFrom = 8;
 // Until there are so many samples a pixel, what has not changed is shown as it was before.
 constexpr int kCarriedUntil = 8;
-constexpr double kCalm = 0.35;  // how far the exposure of coarse frames follows each new one
-constexpr float kJump = 1.5f;   // stops from where it does so at once
+constexpr int kMovedSamples = 2;     // a pixel, of what has moved, before the whole view gets any
+constexpr double kMostMoved = 0.35;  // of the view, for that to be worth while
+constexpr double kCalm = 0.35;       // how far the exposure of coarse frames follows each new one
+constexpr float kJump = 1.5f;        // stops from where it does so at once
 
 // Tracing threads give way to the window's.
 class LowPriority : public tbb::task_scheduler_observer {
@@ -58,81 +60,6 @@ std::pair<int, int> sized(const LiveRequest& r, double pixels) {
           std::max(8, static_cast<int>(std::lround(r.height * scale)))};
 }
 
-using PartNames = std::vector<std::vector<std::string>>;
-
-std::shared_ptr<const PartNames> partNames(const BuiltScene& built) {
-  auto names = std::make_shared<PartNames>(built.objects.size());
-  for (const render::Instance& instance : built.scene->instances) {
-    std::vector<std::string>& of = (*names)[instance.objectId];
-    for (const std::uint32_t surface : instance.surfaces) of.push_back(built.scene->surfaces[surface].name);
-  }
-  return names;
-}
-
-// The state of the home as the tracer has it, kept in step request by request.
-class Stage {
- public:
-  explicit Stage(int threads) : threads_(threads) {}
-
-  // Follows the request; what did not change stays as it is.
-  void follow(const LiveRequest& r, const Progress& progress) {
-    const bool outside = r.cut == CutAway::ByView && isOutside(r.home, r.camera.eye);
-    BuildOptions options;
-    options.ceilings = !outside;
-    options.lamps = r.lamps;
-    options.time = r.camera.time;
-    if (!scene_ || catalog_ != r.catalog || outside != outside_ || options.lamps != lamps_ ||
-        options.time != time_ || showsOther(home_, r.home)) {
-      if (catalog_ != r.catalog) memory_ = {};
-      BuiltScene built = buildScene(r.home, *r.catalog, options, progress, &memory_);
-      auto scene = std::make_unique<render::CompiledScene>(built.scene, threads_, scene_.get());
-      scene_ = std::move(scene);
-      built_ = std::move(built);
-      parts_ = partNames(built_);
-      hidden_.clear();
-      catalog_ = r.catalog;
-      lamps_ = options.lamps;
-      time_ = options.time;
-    }
-    home_ = r.home;
-    outside_ = outside;
-    std::vector<std::uint32_t> hidden;
-    if (outside) hidden = hiddenFrom(built_, r.camera.eye, r.cut);
-    if (hidden != hidden_) {
-      for (const std::uint32_t i : hidden_) scene_->setVisibleToCamera(i, true);
-      for (const std::uint32_t i : hidden) scene_->setVisibleToCamera(i, false);
-      scene_->commit();
-      hidden_ = std::move(hidden);
-    }
-  }
-
-  const render::CompiledScene& scene() const { return *scene_; }
-  const BuiltScene& built() const { return built_; }
-  bool outside() const { return outside_; }
-  std::shared_ptr<const PartNames> parts() const { return parts_; }
-
- private:
-  // Whether a picture could tell the homes apart.
-  static bool showsOther(const Home& before, const Home& after) {
-    const HomeDiff d = diff(before, after);
-    return !(d.levels.empty() && d.walls.empty() && d.rooms.empty() && d.openings.empty() &&
-             d.furniture.empty() && d.groups.empty()) ||
-           d.site || d.environment || d.assets || before.wallHeight != after.wallHeight;
-  }
-
-  int threads_;
-  SceneMemory memory_;
-  Home home_;
-  std::shared_ptr<const Catalog> catalog_;
-  bool outside_ = false;
-  LampPolicy lamps_ = LampPolicy::Auto;
-  std::optional<std::int64_t> time_;
-  BuiltScene built_;
-  std::shared_ptr<const PartNames> parts_;
-  std::unique_ptr<render::CompiledScene> scene_;
-  std::vector<std::uint32_t> hidden_;
-};
-
 }  // namespace
 
 struct LiveRender::Impl {
@@ -148,7 +75,7 @@ struct LiveRender::Impl {
   std::thread thread;
 
   // The render thread's own.
-  Stage stage;
+  LiveStage stage;
   render::Denoiser denoiser;
   LiveRequest request;
   std::uint64_t answering = 0;
@@ -211,8 +138,12 @@ struct LiveRender::Impl {
     view = std::move(next);
   }
 
-  void emitFrame(Image8 image, int samples, bool finished) {
-    sink.frame({answering, std::move(image), samples, finished, *ev - request.compensation, view});
+  void emitPicture(render::CleanPicture picture, int samples, bool finished) {
+    const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
+    const float gain = render::exposureMultiplier(*ev - request.compensation);
+    for (Rgb& c : picture.color) c = balance(c) * gain;
+    sink.frame({answering, render::toImage(picture.color, picture.width, picture.height, request.toneMap),
+                samples, finished, *ev - request.compensation, view});
   }
 
   // The exposure and the colour of the light. calmly: from few paths, which are not to make the view flicker.
@@ -260,21 +191,15 @@ struct LiveRender::Impl {
     lookThrough(sw, sh);
     std::vector<Rgb> color = film.meanColors();
     denoiser.run(film, color, {.threads = threads, .fast = true});
-    std::vector<Rgb> large = render::enlarged(film, color, view->features, threads);
-    int width = sw, height = sh;
+    render::CleanPicture shown{sw, sh, render::enlarged(film, color, view->features, threads)};
     if (before) {
-      render::CleanPicture shown =
-          render::carriedOver(before->picture, before->sketch, film, view->features, large, 1, threads);
-      width = shown.width, height = shown.height;
+      shown =
+          render::carriedOver(before->picture, before->sketch, film, view->features, shown.color, 1, threads);
       meterAgainstBefore(film, shown);
-      large = std::move(shown.color);
     } else {
       meter(film, color, true);
     }
-    const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
-    const float gain = render::exposureMultiplier(*ev - request.compensation);
-    for (Rgb& c : large) c = balance(c) * gain;
-    emitFrame(render::toImage(large, width, height, request.toneMap), 0, false);
+    emitPicture(std::move(shown), 0, false);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     share = std::clamp(share * std::clamp(budget / took.count(), 0.7, 1.1), kFewest, 1.0);
   }
@@ -290,18 +215,18 @@ struct LiveRender::Impl {
       before.reset();
   }
 
-  void keep(const std::vector<Rgb>& color) {
+  void keep(const render::CleanPicture& picture) {
     if (!latest) {
       const auto [w, h] = sized(request, share * kSketchPixels);
       latest = Clean{request, view, render::features(stage.scene(), camera(), w, h, threads), {}};
       latest->request.home = {};
     }
-    latest->picture = {request.width, request.height, color};
+    latest->picture = picture;
     latest->ev = *ev;
     latest->illuminant = illuminant;
   }
 
-  // A third of the size first, then the whole in waves of doubling length.
+  // A third of the size first, then what has moved, then the whole in waves of doubling length.
   void refine(const Progress& progress) {
     render::RenderSettings settings;
     settings.threads = threads;
@@ -310,16 +235,18 @@ struct LiveRender::Impl {
     settings.height = std::max(8, request.height / 3);
     settings.spp = 1;
     settings.cache = render::fillCache(stage.scene(), camera(), settings, kCachePaths, progress);
+    render::CleanPicture shown;
     {
       render::Film small(settings.width, settings.height);
       render::render(stage.scene(), camera(), settings, small, progress);
       progress.check();
       lookThrough(request.width, request.height);
-      show(small, 0, false, progress);
+      shown = show(small, 0, false, progress);
     }
     settings.width = request.width;
     settings.height = request.height;
     render::Film film(request.width, request.height);
+    if (before) showWhatMoved(film, settings, std::move(shown), progress);
     for (int samples = 1; samples <= request.samples; samples *= 2) {
       settings.spp = samples;
       if (samples == kBetterFrom)
@@ -330,26 +257,47 @@ struct LiveRender::Impl {
     }
   }
 
-  void show(const render::Film& film, int samples, bool finished, const Progress& progress) {
+  // Shows the picture with what has moved made anew. The film keeps the paths.
+  void showWhatMoved(render::Film& film, render::RenderSettings settings, render::CleanPicture shown,
+                     const Progress& progress) {
+    const render::Features &seen = before->view->features, &sees = view->features;
+    const render::PixelRegion moved = render::changedRegion(seen, sees);
+    if (moved.empty() || double(moved.pixels()) > kMostMoved * double(film.pixels())) return;
+    settings.region = moved;
+    settings.spp = kMovedSamples;
+    render::render(stage.scene(), camera(), settings, film, progress);
+    progress.check();
+    const render::Film part = render::cropped(film, moved);
+    std::vector<Rgb> color = part.meanColors();
+    denoiser.run(part, color, {.threads = threads, .fast = true, .progress = &progress});
+    progress.check();
+    const render::CleanPicture was{moved.width, moved.height,
+                                   render::cropped(shown.color, shown.width, moved)};
+    const render::CleanPicture is = render::carriedOver(was, render::cropped(seen, moved), part,
+                                                        render::cropped(sees, moved), color, 1, threads);
+    render::paste(is.color, shown.color, shown.width, moved);
+    emitPicture(std::move(shown), 0, false);
+  }
+
+  // Makes a frame of the film and shows it; its picture before exposure.
+  render::CleanPicture show(const render::Film& film, int samples, bool finished, const Progress& progress) {
     std::vector<Rgb> color = film.meanColors();
     denoiser.run(film, color, {.threads = threads, .fast = !finished, .progress = &progress});
     progress.check();
     const bool carries = before && !finished && samples < kCarriedUntil;
     if (!carries) meter(film, color, false);
     if (film.width < request.width) color = render::enlarged(film, color, view->features, threads);
+    render::CleanPicture shown{request.width, request.height, std::move(color)};
     if (carries) {
       const float old = 1 - static_cast<float>(samples) / static_cast<float>(kCarriedUntil);
-      render::CleanPicture shown = render::carriedOver(before->picture, before->view->features, film,
-                                                       view->features, color, old, threads);
+      shown = render::carriedOver(before->picture, before->view->features, film, view->features, shown.color,
+                                  old, threads);
       meterAgainstBefore(film, shown);
-      color = std::move(shown.color);
     }
-    if (film.width == request.width) keep(color);
+    if (film.width == request.width) keep(shown);
     if (samples >= kCarriedUntil) before.reset();
-    const render::WhiteBalance balance(illuminant, render::DevelopSettings{}.whiteBalance);
-    const float gain = render::exposureMultiplier(*ev - request.compensation);
-    for (Rgb& c : color) c = balance(c) * gain;
-    emitFrame(render::toImage(color, request.width, request.height, request.toneMap), samples, finished);
+    emitPicture(shown, samples, finished);
+    return shown;
   }
 };
 
