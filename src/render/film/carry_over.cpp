@@ -15,6 +15,7 @@ namespace idap::render {
 namespace {
 
 constexpr int kReach = 2;  // pixels around what has moved, of 640 along a row: its edges were smoothed
+constexpr int kGrid = 64;  // pixels: few sizes of regions, since a denoiser gets ready for each
 // Neighbourhoods, the widest first: radius, as a part of the picture's width.
 constexpr float kRadii[] = {1 / 10.0f, 1 / 20.0f, 1 / 40.0f, 1 / 80.0f, 1 / 160.0f};
 // A difference is believed from so many standard errors, and wholly from twice as many.
@@ -203,8 +204,10 @@ PixelRegion changedRegion(const Features& seen, const Features& sees) {
   if (x0 >= x1) return {};
   // Shadows lie beside what throws them.
   const int margin = sees.width / 20;
-  x0 = std::max(x0 - margin, 0), x1 = std::min(x1 + margin, sees.width);
-  y0 = std::max(y0 - margin, 0), y1 = std::min(y1 + margin, sees.height);
+  const auto below = [](int v) { return std::max(v, 0) / kGrid * kGrid; };
+  const auto above = [](int v, int most) { return std::min((v + kGrid - 1) / kGrid * kGrid, most); };
+  x0 = below(x0 - margin), x1 = above(x1 + margin, sees.width);
+  y0 = below(y0 - margin), y1 = above(y1 + margin, sees.height);
   return {x0, y0, x1 - x0, y1 - y0};
 }
 

@@ -98,6 +98,16 @@ TEST(CarryOver, FadesWithItsShare) {
   EXPECT_EQ(none.color, kDenoised);
 }
 
+TEST(CarryOver, WhatHasMovedIsEnclosedByItsRegion) {
+  EXPECT_TRUE(changedRegion(wall(), wall()).empty());
+  Features sees = wall();
+  for (int y = 40; y < 60; ++y)
+    for (int x = 60; x < 90; ++x) sees.depth[sees.index(x, y)] = 2.5f;
+  const PixelRegion region = changedRegion(wall(), sees);
+  EXPECT_TRUE(region.has(60, 40) && region.has(89, 59));
+  EXPECT_FALSE(region.has(140, 50));
+}
+
 TEST(CarryOver, RefusesViewsOfDifferentSize) {
   Features other = wall();
   other.width = 80, other.height = 200;

@@ -129,6 +129,22 @@ TEST(Render, SameSeedSameFilmOnAnyNumberOfThreads) {
   EXPECT_FALSE(one.color == other.color);
 }
 
+TEST(Render, ARegionFirstAndTheRestLaterMakeTheSameFilm) {
+  const auto scene = variedRoom().compile();
+  RenderSettings settings{.width = 40, .height = 30, .spp = 4, .threads = 2};
+  Film whole(40, 30), parts(40, 30);
+  render(*scene, camera(), settings, whole);
+  settings.region = {10, 5, 12, 20};
+  render(*scene, camera(), settings, parts);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x)
+      EXPECT_EQ(parts.weight[parts.index(x, y)], settings.region.has(x, y) ? 4 : 0) << x << ", " << y;
+  settings.region = {};
+  render(*scene, camera(), settings, parts);
+  EXPECT_EQ(parts.color, whole.color);
+  EXPECT_EQ(parts.weight, whole.weight);
+}
+
 TEST(Render, LightGroupsAddUpToThePicture) {
   const auto scene = variedRoom().compile();
   Film film(32, 24, 3);
