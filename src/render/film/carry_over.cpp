@@ -15,7 +15,7 @@ namespace idap::render {
 namespace {
 
 constexpr int kReach = 2;  // pixels around what has moved, of 640 along a row: its edges were smoothed
-constexpr int kGrid = 64;  // pixels: few sizes of regions, since a denoiser gets ready for each
+constexpr int kGrid = 32;  // pixels: few sizes of regions, since a denoiser gets ready for each
 // Neighbourhoods, the widest first: radius, as a part of the picture's width.
 constexpr float kRadii[] = {1 / 10.0f, 1 / 20.0f, 1 / 40.0f, 1 / 80.0f, 1 / 160.0f};
 // A difference is believed from so many standard errors, and wholly from twice as many.
@@ -203,7 +203,7 @@ PixelRegion changedRegion(const Features& seen, const Features& sees) {
       }
   if (x0 >= x1) return {};
   // Shadows lie beside what throws them.
-  const int margin = sees.width / 20;
+  const int margin = sees.width / 40;
   const auto below = [](int v) { return std::max(v, 0) / kGrid * kGrid; };
   const auto above = [](int v, int most) { return std::min((v + kGrid - 1) / kGrid * kGrid, most); };
   x0 = below(x0 - margin), x1 = above(x1 + margin, sees.width);
@@ -262,10 +262,10 @@ CleanPicture carriedOver(const CleanPicture& before, const Features& seen, const
         const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(out.width),
                     v = (static_cast<float>(y) + 0.5f) / static_cast<float>(out.height);
         const Between inView(u, v, sees.width, sees.height);
-        const Rgb made = full ? color[i] : inView.of(color);
+        const auto made = [&] { return full ? color[i] : inView.of(color); };
         const float stays = full ? same[i] : inView.of(same);
         if (stays <= 0) {
-          out.color[i] = made;
+          out.color[i] = made();
           continue;
         }
         const Rgb old = before.color[i];
@@ -279,11 +279,12 @@ CleanPicture carriedOver(const CleanPicture& before, const Features& seen, const
         // What a small film has been enlarged to is too blurred to be better than the corrected picture.
         float isNew = 0;
         if (whole) {
-          const float a = luminance(old) + dark, b = luminance(made) + dark;
+          const float a = luminance(old) + dark, b = luminance(made()) + dark;
           isNew = std::max(step(kSmall, kLarge, std::fabs(luminance(corrected) - luminance(old)) / a),
                            step(kSmallSeen, kLargeSeen, std::fabs(b - a) / std::max(a, b)));
         }
-        out.color[i] = corrected + (made - corrected) * (1 - share * stays * (1 - isNew));
+        const float anew = 1 - share * stays * (1 - isNew);
+        out.color[i] = anew > 0 ? corrected + (made() - corrected) * anew : corrected;
       }
     });
   });

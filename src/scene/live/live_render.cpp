@@ -40,7 +40,7 @@ constexpr int kBetterFrom = 8;
 // Until there are so many samples a pixel, what has not changed is shown as it was before.
 constexpr int kCarriedUntil = 8;
 constexpr int kMovedSamples = 2;     // a pixel, of what has moved, before the whole view gets any
-constexpr double kMostMoved = 0.35;  // of the view, for that to be worth while
+constexpr double kMostMoved = 0.4;  // of the view, for that to be worth while
 constexpr double kCalm = 0.35;       // how far the exposure of coarse frames follows each new one
 constexpr float kJump = 1.5f;        // stops from where it does so at once
 
