@@ -39,10 +39,10 @@ constexpr int kBetterPaths = 200'000;  // and once it has so many samples a pixe
 constexpr int kBetterFrom = 8;
 // Until there are so many samples a pixel, what has not changed is shown as it was before.
 constexpr int kCarriedUntil = 8;
-constexpr int kMovedSamples = 2;     // a pixel, of what has moved, before the whole view gets any
+constexpr int kMovedSamples = 2;    // a pixel, of what has moved, before the whole view gets any
 constexpr double kMostMoved = 0.4;  // of the view, for that to be worth while
-constexpr double kCalm = 0.35;       // how far the exposure of coarse frames follows each new one
-constexpr float kJump = 1.5f;        // stops from where it does so at once
+constexpr double kCalm = 0.35;      // how far the exposure of coarse frames follows each new one
+constexpr float kJump = 1.5f;       // stops from where it does so at once
 
 // Tracing threads give way to the window's.
 class LowPriority : public tbb::task_scheduler_observer {
