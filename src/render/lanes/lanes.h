@@ -177,7 +177,7 @@ struct LaneArray3 {
 // A bit for every lane that the mask has, the first lane's lowest.
 IDAP_INLINE std::uint32_t bitsOf(LaneMask mask) {
 #if defined(__AVX512F__)
-  return static_cast<__mmask16>(mask);
+  return _mm512_cmplt_ps_mask(static_cast<__m512>(only(mask, Floats(-1.0f))), _mm512_setzero_ps());
 #elif defined(__AVX2__)
   return static_cast<std::uint32_t>(_mm256_movemask_ps(static_cast<__m256>(only(mask, Floats(-1.0f)))));
 #else
