@@ -169,9 +169,9 @@ void measureKind(const char* name, CompiledScene& compiled, const std::vector<Lo
   std::uint64_t hits = 0;
   for (int round = 0; round < 3; ++round) {
     own = std::min(own, traceOnly(compiled, rays, sum));
-    compiled.setShadowFilter(false);
+    compiled.setFilters(false);
     bare = std::min(bare, replay(compiled.embreeScene(), rays, hits));
-    compiled.setShadowFilter(true);
+    compiled.setFilters(true);
   }
   std::printf("  %-14s%.2f M rays: tracing without shading reaches %.1f %% of bare Embree\n", name,
               static_cast<double>(rays.size()) / 1e6, 100 * bare / own);
@@ -205,9 +205,9 @@ void measure(const char* name, const std::shared_ptr<const Scene>& scene, const 
     const std::clock_t start = std::clock();
     idap::render::render(compiled, camera, settings, film);
     full = std::min(full, since(start));
-    compiled.setShadowFilter(false);
+    compiled.setFilters(false);
     bare = std::min(bare, replay(compiled.embreeScene(), log, hits));
-    compiled.setShadowFilter(true);
+    compiled.setFilters(true);
   }
   const auto count = static_cast<double>(log.size());
   std::printf("  %.2f M rays, %.0f %% of them shadow rays; checksum %llu\n", count / 1e6,

@@ -135,8 +135,12 @@ for material in bpy.data.materials:
 
 
 
-def bulb(lamp):
-    """What the camera sees of a lamp, which Cycles does not show: a ball that only adds its light to the picture."""
+def bulb(lamp, shines):
+    """A ball of the lamp's size that rays pass through and that adds its light to them where they enter it.
+
+    Cycles' own lamps are discs turned to whoever looks, hidden from the camera. Near them their light is not that of
+    a ball: at three radii a tenth weaker. shines: whether the ball lights the room as well, in the lamp's place.
+    """
     bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32, radius=lamp["radius"], location=lamp["position"])
     ball = bpy.context.object
     material = bpy.data.materials.new("bulb")
@@ -145,15 +149,23 @@ def bulb(lamp):
     tree.nodes.clear()
     glow, clear = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeBsdfTransparent")
     add, output = tree.nodes.new("ShaderNodeAddShader"), tree.nodes.new("ShaderNodeOutputMaterial")
+    side, entering = tree.nodes.new("ShaderNodeNewGeometry"), tree.nodes.new("ShaderNodeMath")
     strongest = max(lamp["intensity"])
     glow.inputs["Color"].default_value = [c / strongest for c in lamp["intensity"]] + [1]
-    # A ray meets the ball twice.
-    glow.inputs["Strength"].default_value = 0.5 * strongest / (math.pi * lamp["radius"] ** 2)
+    entering.operation = "SUBTRACT"
+    entering.inputs[0].default_value = 1
+    tree.links.new(side.outputs["Backfacing"], entering.inputs[1])
+    strength = tree.nodes.new("ShaderNodeMath")
+    strength.operation = "MULTIPLY"
+    strength.inputs[0].default_value = strongest / (math.pi * lamp["radius"] ** 2)
+    tree.links.new(entering.outputs[0], strength.inputs[1])
+    tree.links.new(strength.outputs[0], glow.inputs["Strength"])
     tree.links.new(glow.outputs[0], add.inputs[0])
     tree.links.new(clear.outputs[0], add.inputs[1])
     tree.links.new(add.outputs[0], output.inputs["Surface"])
     ball.data.materials.append(material)
-    for kind in ("diffuse", "glossy", "transmission", "volume_scatter", "shadow"):
+    ball.visible_shadow = False
+    for kind in () if shines else ("diffuse", "glossy", "transmission", "volume_scatter"):
         setattr(ball, "visible_" + kind, False)
 
 
@@ -162,6 +174,10 @@ for lamp in scene_file["lamps"]:
     if strongest <= 0:
         continue
     kind = "SPOT" if lamp["beamAngle"] > 0 else "POINT"
+    if kind == "POINT" and lamp["radius"] > 0:
+        bulb(lamp, shines=scene_file["matte"])
+        if scene_file["matte"]:
+            continue
     light = bpy.data.lights.new("lamp", kind)
     light.energy = 4 * math.pi * strongest
     light.color = [c / strongest for c in lamp["intensity"]]
@@ -170,8 +186,6 @@ for lamp in scene_file["lamps"]:
         light.spot_size = min(2 * lamp["beamAngle"], math.pi)
         light.spot_blend = 1.0
     place("lamp", light, lamp["position"], lamp["axis"], (0, 1, 0))
-    if kind == "POINT" and lamp["radius"] > 0:
-        bulb(lamp)
 sun = scene_file["sun"]
 strongest = max(sun["illuminance"])
 if strongest > 0:

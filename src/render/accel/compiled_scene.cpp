@@ -137,7 +137,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
     if (!a.flat)
       tbb::parallel_for(std::size_t{0}, a.meshes.size(), [&](std::size_t m) {
         if (a.meshes[m]->scene()) return;
-        tbb::this_task_arena::isolate([&] { a.meshes[m]->build(device, shadowFilter); });
+        tbb::this_task_arena::isolate([&] { a.meshes[m]->build(device, kSieveFilters); });
       });
 
     a.top.reset(rtcNewScene(device));
@@ -166,7 +166,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
         if (a.flat) {
           a.inOneLevel[i] = usable(instance.transform);
           if (a.inOneLevel[i])
-            accel.attachTo(device, a.top.get(), instance.transform, 2 * i, mask, shadowFilter);
+            accel.attachTo(device, a.top.get(), instance.transform, 2 * i, mask, kSieveFilters);
         } else {
           geometry.reset(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
           rtcSetGeometryInstancedScene(geometry.get(), accel.scene());
@@ -244,11 +244,12 @@ void CompiledScene::setVisibleToCamera(std::uint32_t instance, bool visible) {
     if (accel_->hasPart(instance, part)) set(rtcGetGeometry(accel_->top.get(), 2 * instance + part));
 }
 
-void CompiledScene::setShadowFilter(bool on) {
+void CompiledScene::setFilters(bool on) {
   for (std::uint32_t i = 0; i < accel_->instances.size(); ++i) {
     if (!accel_->flat || !accel_->hasPart(i, kSieveGeometry)) continue;
     RTCGeometry geometry = rtcGetGeometry(accel_->top.get(), 2 * i + kSieveGeometry);
-    rtcSetGeometryOccludedFilterFunction(geometry, on ? shadowFilter : nullptr);
+    rtcSetGeometryOccludedFilterFunction(geometry, on ? kSieveFilters.shadow : nullptr);
+    rtcSetGeometryIntersectFilterFunction(geometry, on ? kSieveFilters.nearest : nullptr);
     rtcCommitGeometry(geometry);
   }
   rtcJoinCommitScene(accel_->top.get());

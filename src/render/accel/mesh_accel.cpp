@@ -32,7 +32,7 @@ MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve) 
 }
 
 void MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
-                       const Transformf* transform, RTCFilterFunctionN shadowFilter) const {
+                       const Transformf* transform, const SieveFilters& filters) const {
   if (parts_[part].empty()) return;
   const GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   const std::size_t count = mesh_->positions.size();
@@ -48,12 +48,15 @@ void MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, parts_[part].data(),
                              0, sizeof(Corners), parts_[part].size());
   rtcSetGeometryMask(geometry.get(), mask);
-  if (part == kSieveGeometry) rtcSetGeometryOccludedFilterFunction(geometry.get(), shadowFilter);
+  if (part == kSieveGeometry) {
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), filters.shadow);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), filters.nearest);
+  }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
-void MeshAccel::build(RTCDevice device, RTCFilterFunctionN shadowFilter) {
+void MeshAccel::build(RTCDevice device, const SieveFilters& filters) {
   scene_.reset(rtcNewScene(device));
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   // Not the spatial splits of RTC_BUILD_QUALITY_HIGH: they would call the filter twice for one triangle.
@@ -65,14 +68,14 @@ void MeshAccel::build(RTCDevice device, RTCFilterFunctionN shadowFilter) {
     paddedPositions_ = mesh_->positions;
   }
   for (unsigned part = 0; part < 2; ++part)
-    attach(device, scene_.get(), part, part, ~0u, nullptr, shadowFilter);
+    attach(device, scene_.get(), part, part, ~0u, nullptr, filters);
   rtcJoinCommitScene(scene_.get());
 }
 
 void MeshAccel::attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
-                         unsigned mask, RTCFilterFunctionN shadowFilter) const {
+                         unsigned mask, const SieveFilters& filters) const {
   for (unsigned part = 0; part < 2; ++part)
-    attach(device, scene, part, firstId + part, mask, &transform, shadowFilter);
+    attach(device, scene, part, firstId + part, mask, &transform, filters);
 }
 
 }  // namespace idap::render

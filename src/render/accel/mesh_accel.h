@@ -1,6 +1,5 @@
 // The lower level of the acceleration structure: a mesh's BVH, its triangles parted into those that stop
-// every ray (geometry 0) and those that light may get through (geometry 1, which has a filter for shadow
-// rays).
+// every ray (geometry 0) and those that light may get through (geometry 1, which has filters).
 #pragma once
 
 #include <cstdint>
@@ -17,16 +16,22 @@ namespace idap::render {
 inline constexpr unsigned kOpaqueGeometry = 0;
 inline constexpr unsigned kSieveGeometry = 1;
 
+// What Embree calls for hits on geometry that light may get through.
+struct SieveFilters {
+  RTCFilterFunctionN shadow;   // of shadow rays
+  RTCFilterFunctionN nearest;  // of all others
+};
+
 class MeshAccel {
  public:
   // sieve[slot]: light may get through triangles of that slot.
   MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve);
 
   // Builds the BVH of the lower level; may run inside a TBB task.
-  void build(RTCDevice device, RTCFilterFunctionN shadowFilter);
+  void build(RTCDevice device, const SieveFilters& filters);
   // Adds the triangles of an instance, in world space, to a scene of one level. firstId: its geometries'.
   void attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
-                unsigned mask, RTCFilterFunctionN shadowFilter) const;
+                unsigned mask, const SieveFilters& filters) const;
 
   // Null before build().
   RTCScene scene() const { return scene_.get(); }
@@ -42,7 +47,7 @@ class MeshAccel {
   using Corners = std::array<std::uint32_t, 3>;
   // transform: to world space; null where the vertices stay as they are.
   void attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
-              const Transformf* transform, RTCFilterFunctionN shadowFilter) const;
+              const Transformf* transform, const SieveFilters& filters) const;
 
   std::shared_ptr<const Mesh> mesh_;
   Box3f bounds_;

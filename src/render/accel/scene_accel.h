@@ -63,7 +63,8 @@ struct CompiledScene::Accel {
 void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<SurfaceData>& surfaces,
                  LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points);
 
-// For the geometry that light may get through: weakens shadow rays rather than ending them.
-void shadowFilter(const RTCFilterFunctionNArguments* args);
+// For the geometry that light may get through: weakens shadow rays rather than ending them, and lets looks
+// through clear sheets.
+extern const SieveFilters kSieveFilters;
 
 }  // namespace idap::render

@@ -1,5 +1,6 @@
 // Rays through the compiled scene, one by one and side by side.
 #include <algorithm>
+#include <tuple>
 
 #include "render/accel/embree_ray.h"
 #include "render/accel/scene_accel.h"
@@ -16,35 +17,104 @@ struct ShadowRay {
   std::uint32_t lastInstance = kNone;
 };
 
-// Travels through Embree to the filter; rays are found by their id.
-struct ShadowContext {
-  RTCIntersectContext embree;
-  const CompiledScene::Accel* accel;
-  ShadowRay* rays;
+// The clear sheets that a look has met so far, in the order of traversal and not only those before its end.
+struct SheetsMet {
+  struct Sheet {
+    float t;
+    std::uint32_t instance;
+    Rgb transmittance;
+  };
+  static constexpr int kMost = 8;
+  Vec3f direction;
+  int count = 0;
+  Sheet sheets[kMost];
 };
 
-// True when the hit ends the ray.
-bool meets(const ShadowContext& context, ShadowRay& ray, const RTCHit& hit, float t) {
-  const std::uint32_t index = context.accel->instanceOf(hit.geomID, hit.instID[0]);
-  const HitInstance& instance = context.accel->instances[index];
-  // A ray through the edge between two triangles, or through faces modelled twice, passes one sheet, not two.
-  if (ray.lastInstance == index && std::fabs(t - ray.lastT) <= 2e-6f * t) return false;
-  ray.lastT = t;
-  ray.lastInstance = index;
-  const std::uint32_t triangle = instance.triangleOf(hit.geomID, hit.primID);
-  const SurfaceData& surface = context.accel->surfaces[instance.surfaceOf(triangle)];
+// Travels through Embree to the filters; rays are found by their id.
+struct TraceContext {
+  RTCIntersectContext embree;
+  const CompiledScene::Accel* accel;
+  ShadowRay* shadows = nullptr;
+  SheetsMet* looks = nullptr;  // null: nearest hits of any kind
 
+  explicit TraceContext(const CompiledScene::Accel& a, bool coherent = false) : accel(&a) {
+    rtcInitIntersectContext(&embree);
+    embree.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  }
+};
+
+// A ray through the edge between two triangles, or through faces modelled twice, passes one sheet, not two.
+bool sameSheet(float t, std::uint32_t instance, float lastT, std::uint32_t lastInstance) {
+  return lastInstance == instance && std::fabs(t - lastT) <= 2e-6f * t;
+}
+
+Rgb transmittanceAt(const CompiledScene::Accel& accel, const HitInstance& instance,
+                    const SurfaceData& surface, const RTCHit& hit, Vec3f direction) {
   Vec2f uv{};
   if (surface.hasMaps && instance.uvs) {
-    const auto& c = instance.triangles[triangle];
+    const auto& c = instance.triangles[instance.triangleOf(hit.geomID, hit.primID)];
     uv = interpolate(instance.uvs[c[0]], instance.uvs[c[1]], instance.uvs[c[2]], hit.u, hit.v);
   }
   Vec3f normal{hit.Ng_x, hit.Ng_y, hit.Ng_z};
-  if (!context.accel->flat) normal = instance.normalToWorld.vector(normal);
+  if (!accel.flat) normal = instance.normalToWorld.vector(normal);
   const float l2 = dot(normal, normal);
-  const float cosine = l2 > 0 ? std::fabs(dot(normal, ray.direction)) / std::sqrt(l2) : 1.0f;
-  ray.transmittance *= straightTransmittance(surface, valuesAt(surface, uv), std::min(cosine, 1.0f));
+  const float cosine = l2 > 0 ? std::fabs(dot(normal, direction)) / std::sqrt(l2) : 1.0f;
+  return straightTransmittance(surface, valuesAt(surface, uv), std::min(cosine, 1.0f));
+}
+
+// True when the hit ends the ray.
+bool meets(const CompiledScene::Accel& accel, ShadowRay& ray, const RTCHit& hit, float t) {
+  const std::uint32_t index = accel.instanceOf(hit.geomID, hit.instID[0]);
+  if (sameSheet(t, index, ray.lastT, ray.lastInstance)) return false;
+  ray.lastT = t;
+  ray.lastInstance = index;
+  const HitInstance& instance = accel.instances[index];
+  const SurfaceData& surface =
+      accel.surfaces[instance.surfaceOf(instance.triangleOf(hit.geomID, hit.primID))];
+  ray.transmittance *= transmittanceAt(accel, instance, surface, hit, ray.direction);
   return !(maxComponent(ray.transmittance) > 1e-5f);
+}
+bool meets(const CompiledScene::Accel& accel, SheetsMet& ray, const RTCHit& hit, float t) {
+  const std::uint32_t index = accel.instanceOf(hit.geomID, hit.instID[0]);
+  const HitInstance& instance = accel.instances[index];
+  const SurfaceData& surface =
+      accel.surfaces[instance.surfaceOf(instance.triangleOf(hit.geomID, hit.primID))];
+  if (!surface.clearSheet || ray.count == SheetsMet::kMost) return true;
+  ray.sheets[ray.count++] = {t, index, transmittanceAt(accel, instance, surface, hit, ray.direction)};
+  return false;
+}
+
+template <class Ray>
+void filter(const RTCFilterFunctionNArguments* args, Ray* rays) {
+  const auto& context = *reinterpret_cast<TraceContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const RTCHit hit = rtcGetHitFromHitN(args->hit, args->N, i);
+    Ray& ray = rays[RTCRayN_id(args->ray, args->N, i)];
+    if (!meets(*context.accel, ray, hit, RTCRayN_tfar(args->ray, args->N, i))) args->valid[i] = 0;
+  }
+}
+void shadowFilter(const RTCFilterFunctionNArguments* args) {
+  filter(args, reinterpret_cast<TraceContext*>(args->context)->shadows);
+}
+void nearestFilter(const RTCFilterFunctionNArguments* args) {
+  SheetsMet* looks = reinterpret_cast<TraceContext*>(args->context)->looks;
+  if (looks) filter(args, looks);
+}
+
+// What the sheets before the look's end let by.
+Rgb transmittanceOf(SheetsMet& ray, float end) {
+  Rgb through{1, 1, 1};
+  std::sort(ray.sheets, ray.sheets + ray.count, [](const auto& a, const auto& b) {
+    return std::tie(a.t, a.instance) < std::tie(b.t, b.instance);
+  });
+  for (int i = 0; i < ray.count && ray.sheets[i].t < end; ++i) {
+    const SheetsMet::Sheet& sheet = ray.sheets[i];
+    if (i > 0 && sameSheet(sheet.t, sheet.instance, ray.sheets[i - 1].t, ray.sheets[i - 1].instance)) continue;
+    through *= sheet.transmittance;
+  }
+  return through;
 }
 
 // Embree's packets of as many rays as there are lanes.
@@ -87,33 +157,44 @@ void fill(Rays& r, LaneMask active, const LaneRays& rays, Words masks, int (&val
   select(active, Ints(-1), Ints(0)).copy_to(valid, simd::element_aligned);
 }
 
+void nearest(const CompiledScene::Accel& accel, TraceContext& context, LaneMask active,
+             const LaneRays& rays, LaneHits& hits, Words masks) {
+  RayPacket::RayHit r;
+  alignas(64) int valid[kLanes];
+  fill(r.ray, active, rays, masks, valid);
+  const Words none(RTC_INVALID_GEOMETRY_ID);
+  none.copy_to(r.hit.geomID, simd::element_aligned);
+  none.copy_to(r.hit.instID[0], simd::element_aligned);
+  RayPacket::intersect(valid, accel.top.get(), &context.embree, &r);
+  const Words geometry(r.hit.geomID, simd::element_aligned);
+  hits.found = active && toMask(geometry != none);
+  hits.lamp = hits.found && toMask(geometry == accel.lampGeometry);
+  hits.t = Floats(r.ray.tfar, simd::element_aligned);
+  forLanes(hits.found, [&](int k) {
+    RTCHit one;
+    one.u = r.hit.u[k], one.v = r.hit.v[k], one.primID = r.hit.primID[k], one.geomID = r.hit.geomID[k];
+    one.instID[0] = r.hit.instID[0][k];
+    hits.hit[k] = accel.hitOf(r.ray.tfar[k], one);
+  });
+}
+
 Ray rayOf(const LaneRays& rays, int k) {
   return {lane(rays.origin, k), lane(rays.direction, k), lane(rays.tMin, k), lane(rays.tMax, k)};
 }
 
 }  // namespace
 
-void shadowFilter(const RTCFilterFunctionNArguments* args) {
-  const auto& context = *reinterpret_cast<ShadowContext*>(args->context);
-  for (unsigned i = 0; i < args->N; ++i) {
-    if (args->valid[i] == 0) continue;
-    const RTCHit hit = rtcGetHitFromHitN(args->hit, args->N, i);
-    ShadowRay& ray = context.rays[RTCRayN_id(args->ray, args->N, i)];
-    if (!meets(context, ray, hit, RTCRayN_tfar(args->ray, args->N, i))) args->valid[i] = 0;
-  }
-}
+const SieveFilters kSieveFilters{shadowFilter, nearestFilter};
 
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool coherent) const {
   if (log_) [[unlikely]]
     log_->push_back({ray, mask, false, coherent});
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  TraceContext context(*accel_, coherent);
   RTCRayHit r;
   r.ray = embreeRay(ray, mask);
   r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(accel_->top.get(), &context, &r);
+  rtcIntersect1(accel_->top.get(), &context.embree, &r);
   if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   hit = accel_->hitOf(r.ray.tfar, r.hit);
   return true;
@@ -123,11 +204,8 @@ Rgb CompiledScene::transmittance(const Ray& ray) const {
   if (log_) [[unlikely]]
     log_->push_back({ray, kSeenByLight, true, false});
   ShadowRay shadow{ray.direction};
-  ShadowContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  context.accel = accel_.get();
-  context.rays = &shadow;
+  TraceContext context(*accel_);
+  context.shadows = &shadow;
   RTCRay r = embreeRay(ray, kSeenByLight);
   rtcOccluded1(accel_->top.get(), &context.embree, &r);
   return r.tfar < 0 ? Rgb{} : shadow.transmittance;
@@ -144,26 +222,27 @@ void CompiledScene::intersect(LaneMask active, const LaneRays& rays, LaneHits& h
     forLanes(active, [&](int k) {
       log_->push_back({rayOf(rays, k), lane(masks, k), false, (lane(masks, k) & kSeenByCamera) != 0});
     });
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  RayPacket::RayHit r;
-  alignas(64) int valid[kLanes];
-  fill(r.ray, active, rays, masks, valid);
-  const Words none(RTC_INVALID_GEOMETRY_ID);
-  none.copy_to(r.hit.geomID, simd::element_aligned);
-  none.copy_to(r.hit.instID[0], simd::element_aligned);
-  RayPacket::intersect(valid, accel_->top.get(), &context, &r);
-  const Words geometry(r.hit.geomID, simd::element_aligned);
-  hits.found = active && toMask(geometry != none);
-  hits.lamp = hits.found && toMask(geometry == accel_->lampGeometry);
-  hits.t = Floats(r.ray.tfar, simd::element_aligned);
-  forLanes(hits.found, [&](int k) {
-    RTCHit one;
-    one.u = r.hit.u[k], one.v = r.hit.v[k], one.primID = r.hit.primID[k], one.geomID = r.hit.geomID[k];
-    one.instID[0] = r.hit.instID[0][k];
-    hits.hit[k] = accel_->hitOf(r.ray.tfar[k], one);
+  TraceContext context(*accel_);
+  nearest(*accel_, context, active, rays, hits, masks);
+}
+
+void CompiledScene::look(LaneMask active, const LaneRays& rays, LaneHits& hits, LaneVec& through) const {
+  if (log_) [[unlikely]]
+    forLanes(active, [&](int k) { log_->push_back({rayOf(rays, k), kSeenByLight, false, false}); });
+  SheetsMet sheets[kLanes];
+  forLanes(active, [&](int k) { sheets[k].direction = lane(rays.direction, k); });
+  TraceContext context(*accel_);
+  context.looks = sheets;
+  nearest(*accel_, context, active, rays, hits, Words(kSeenByLight));
+  through = spread<Floats>({1, 1, 1});
+  LaneArray3 passed(through);
+  bool any = false;
+  forLanes(active, [&](int k) {
+    if (sheets[k].count == 0) return;
+    passed.set(k, transmittanceOf(sheets[k], lane(hits.t, k)));
+    any = true;
   });
+  if (any) through = passed;
 }
 
 LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) const {
@@ -171,11 +250,8 @@ LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) cons
     forLanes(active, [&](int k) { log_->push_back({rayOf(rays, k), kSeenByLight, true, false}); });
   ShadowRay shadows[kLanes];
   for (int k = 0; k < kLanes; ++k) shadows[k].direction = lane(rays.direction, k);
-  ShadowContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  context.accel = accel_.get();
-  context.rays = shadows;
+  TraceContext context(*accel_);
+  context.shadows = shadows;
   RayPacket::RayHit r;
   alignas(64) int valid[kLanes];
   fill(r.ray, active, rays, Words(kSeenByLight), valid);

@@ -8,7 +8,7 @@ namespace idap::render {
 namespace {
 
 constexpr float kPatchShare = 0.5f;  // of looks, where patches of sun are in view
-constexpr int kMostPanes = 8;        // of glass that a look goes through
+constexpr int kMostVeils = 8;       // that let light by as well as scattering it, on a look's way
 
 // What part of the light goes straight through the surfaces.
 LaneVec straightThrough(LaneMask active, const LaneVec& direction, const LanePoints& points) {
@@ -68,10 +68,12 @@ Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, co
   Seen seen{spread<Floats>({}), spread<Floats>({})};
   LaneVec through = spread<Floats>({1, 1, 1});
   LaneRays ray{origin, direction};
-  for (int sheet = 0; sheet <= kMostPanes && any(active); ++sheet) {
+  for (int sheet = 0; sheet <= kMostVeils && any(active); ++sheet) {
     LaneHits hits;
+    LaneVec sheets;
     rays = select(active, rays + 1, rays);
-    scene.intersect(active, ray, hits, Words(kSeenByLight));
+    scene.look(active, ray, hits, sheets);
+    through *= sheets;
     const LaneMask out = active && !hits.found;
     if (any(out)) seen.sky = select(out, daylight.skyRadiance(direction) * through, seen.sky);
     active = active && hits.found;

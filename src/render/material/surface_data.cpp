@@ -59,6 +59,8 @@ SurfaceData compileSurface(const Surface& surface) {
   d.hasMaps = d.baseColorMap || d.normalMap || d.roughnessMap;
   d.mayPass = d.opacity < 1 || (d.baseColorMap && surface.baseColorMap->hasAlpha);
   d.opaqueToShadows = !d.mayPass && (d.transmission * (1 - d.metalness) <= 0 || !d.thin);
+  d.clearSheet = d.thin && d.transmission >= 1 && d.metalness <= 0 && !d.mayPass && !d.emits &&
+                 d.roughness * d.roughness < kSmoothAlpha && !d.roughnessMap;
   const float c = std::cos(surface.uvRotation), s = std::sin(surface.uvRotation);
   d.uvX = {c * surface.uvScale.x, s * surface.uvScale.x};
   d.uvY = {-s * surface.uvScale.y, c * surface.uvScale.y};

@@ -24,6 +24,7 @@ struct SurfaceData {
   bool thin = true;
   bool emits = false;
   bool opaqueToShadows = true;  // no ray can go straight through it
+  bool clearSheet = false;      // lets light by straight or mirrors it, and does nothing else with it
   bool hasMaps = false;
   bool mayPass = false;  // opacity (or its map) lets some rays by
   Rgb emission;
