@@ -59,7 +59,8 @@ Arguments parse(int argc, char** argv) {
     const std::string word = argv[i];
     if (word.starts_with("--")) {
       const bool flag = word == "--matte" || word == "--denoise" || word == "--clamp" ||
-                        word == "--no-looks" || word == "--two-levels" || word == "--without-lamps";
+                        word == "--no-looks" || word == "--no-guide" || word == "--two-levels" ||
+                        word == "--without-lamps";
       a.options[word.substr(2)] = flag || i + 1 >= argc ? "" : argv[++i];
     } else {
       a.files.push_back(word);
@@ -185,6 +186,8 @@ int renderScene(const Arguments& a) {
   start = Clock::now();
   if (a.has("cache"))
     settings.cache = render::fillCache(scene, p.camera, settings, static_cast<int>(a.number("cache", 0)));
+  else if (!a.has("no-guide"))
+    settings.guide = render::fillGuide(scene, p.camera, settings);
   const double learned = seconds(start);
   if (settings.timeLimitSeconds > 0)
     settings.timeLimitSeconds = std::max(0.01, settings.timeLimitSeconds - learned);

@@ -168,6 +168,7 @@ class FilmMaker {
     render_.spp = settings_.samples * (still(number) ? kStillSamples : 1);
     render_.clampIndirect = render::clampFor(light.ev);
     if (!plan_.day && !cached_) fillCache();
+    if (plan_.day) render_.guide = render::fillGuide(*scene_, seen(camera), render_, progress_);
     render::render(*scene_, seen(camera), render_, film_, progress_);
     progress_.check();
     next_ = (next_ + 1) % 2;

@@ -71,8 +71,8 @@ class CompiledScene {
 
   // The same for the rays of those lanes that the mask has. Rays that go the same way are quickest.
   void intersect(LaneMask active, const LaneRays& rays, LaneHits& hits, Words masks) const;
-  // The nearest thing but clear sheets (SurfaceData::clearSheet), and what part of each colour those before it
-  // let by. A ray that meets very many ends at one of them.
+  // The nearest thing but clear sheets (SurfaceData::clearSheet), and what part of each colour those before
+  // it let by. A ray that meets very many ends at one of them.
   void look(LaneMask active, const LaneRays& rays, LaneHits& hits, LaneVec& through) const;
   LaneVec transmittance(LaneMask active, const LaneRays& rays) const;
   void points(LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points) const;

@@ -58,7 +58,6 @@ void MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned
 
 void MeshAccel::build(RTCDevice device, const SieveFilters& filters) {
   scene_.reset(rtcNewScene(device));
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   // Not the spatial splits of RTC_BUILD_QUALITY_HIGH: they would call the filter twice for one triangle.
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
 
@@ -67,8 +66,7 @@ void MeshAccel::build(RTCDevice device, const SieveFilters& filters) {
     paddedPositions_.reserve(mesh_->positions.size() + 1);
     paddedPositions_ = mesh_->positions;
   }
-  for (unsigned part = 0; part < 2; ++part)
-    attach(device, scene_.get(), part, part, ~0u, nullptr, filters);
+  for (unsigned part = 0; part < 2; ++part) attach(device, scene_.get(), part, part, ~0u, nullptr, filters);
   rtcJoinCommitScene(scene_.get());
 }
 

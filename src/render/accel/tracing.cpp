@@ -39,8 +39,7 @@ struct TraceContext {
 
   explicit TraceContext(const CompiledScene::Accel& a, bool coherent = false) : accel(&a) {
     rtcInitIntersectContext(&embree);
-    embree.flags =
-        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    embree.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   }
 };
 
@@ -111,7 +110,8 @@ Rgb transmittanceOf(SheetsMet& ray, float end) {
   });
   for (int i = 0; i < ray.count && ray.sheets[i].t < end; ++i) {
     const SheetsMet::Sheet& sheet = ray.sheets[i];
-    if (i > 0 && sameSheet(sheet.t, sheet.instance, ray.sheets[i - 1].t, ray.sheets[i - 1].instance)) continue;
+    if (i > 0 && sameSheet(sheet.t, sheet.instance, ray.sheets[i - 1].t, ray.sheets[i - 1].instance))
+      continue;
     through *= sheet.transmittance;
   }
   return through;
@@ -157,8 +157,8 @@ void fill(Rays& r, LaneMask active, const LaneRays& rays, Words masks, int (&val
   select(active, Ints(-1), Ints(0)).copy_to(valid, simd::element_aligned);
 }
 
-void nearest(const CompiledScene::Accel& accel, TraceContext& context, LaneMask active,
-             const LaneRays& rays, LaneHits& hits, Words masks) {
+void nearest(const CompiledScene::Accel& accel, TraceContext& context, LaneMask active, const LaneRays& rays,
+             LaneHits& hits, Words masks) {
   RayPacket::RayHit r;
   alignas(64) int valid[kLanes];
   fill(r.ray, active, rays, masks, valid);

@@ -64,9 +64,17 @@ void LightCache::divide(Cells& cells, std::size_t index, std::span<CacheRecord> 
   Neighbourhood& n = neighbourhoods_.emplace_back();
   n.size = longest;
   n.known = records.size() >= kFewestRecords;
+  if (!n.known) return;
   Vec3 sum{};
-  for (const CacheRecord& r : records) sum += toDouble(r.irradiance);
-  if (n.known) n.irradiance = toFloat(sum / static_cast<double>(records.size()));
+  double squares = 0;
+  for (const CacheRecord& r : records) {
+    sum += toDouble(r.irradiance);
+    squares += std::pow(static_cast<double>(luminance(r.irradiance)), 2);
+  }
+  const auto count = static_cast<double>(records.size());
+  n.irradiance = toFloat(sum / count);
+  const auto mean = static_cast<double>(luminance(n.irradiance));
+  n.deviation = static_cast<float>(std::sqrt(std::max(0.0, squares / count - mean * mean)));
 }
 
 const LightCache::Neighbourhood* LightCache::at(Vec3f position, Vec3f normal) const {

@@ -28,8 +28,9 @@ class LightCache {
   explicit LightCache(std::vector<CacheRecord>& records);
 
   struct Neighbourhood {
-    float size = 0.0f;  // m, its longest side
-    Rgb irradiance{};   // lux, mean
+    float size = 0.0f;       // m, its longest side
+    Rgb irradiance{};        // lux, mean
+    float deviation = 0.0f;  // lux, standard, of the luminance of single paths' estimates
     bool known = false;
   };
   // Null where too little is known.

@@ -9,7 +9,11 @@ namespace idap::render {
 
 namespace {
 
-constexpr int kRouletteAfter = 2;         // bounces that are always followed
+constexpr int kRouletteAfter = 2;       // bounces that are always followed
+constexpr int kRouletteWithGuide = 8;   // the same where the guide does not know the surface
+constexpr float kWorth = 0.7f;          // of what the first surface shows: always followed
+constexpr float kLeastSurvival = 0.1f;  // of a path that the guide expects nothing of
+constexpr float kMostSurvival = 0.98f;
 constexpr float kLocalShare = 0.5f;       // of questions, where either lamps or the sky are asked
 constexpr float kCacheReach = 1.5f;       // times a neighbourhood's size; what is nearer is looked at closely
 constexpr std::size_t kMostLessons = 24;  // bounces of a path that a cache learns from
@@ -281,6 +285,34 @@ LaneMask LaneWalk::takeFromCache(LaneMask lanes, const LanePoints& at, const Bsd
   return ended;
 }
 
+// Roulette by what a path is expected to bring, beside what its first surface shows or how noisy that is,
+// whichever is less (Vorba and Krivanek 2016, "Adjoint-driven Russian roulette and splitting in light
+// transport simulation", without the splitting; the noise as in Rath et al. 2022, "EARS: efficiency-aware
+// Russian roulette and splitting"). A path that has come to a dark place mostly ends, one on its way to a
+// bright one never does. Returns the lanes that the guide knows, which other roulette is to leave alone.
+LaneMask LaneWalk::judge(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, LaneMask& ended) {
+  using namespace lane_math;
+  LaneArray lux(0.0f), shown(0.0f);
+  forLanes(lanes, [&](int k) {
+    const LightCache::Neighbourhood* known = options_.guide->at(lane(at.position, k), lane(at.shading.ng, k));
+    if (!known) return;
+    lux[k] = luminance(known->irradiance);
+    shown[k] = std::min(lux[k], known->deviation);
+  });
+  const LaneMask known = lanes && Floats(shown) > 0.0f;
+  const Floats carries = luminance(state.throughput * bsdf.albedo()) / (kPiF * state.etaScale);
+  const LaneMask first = known && state.worth <= 0.0f;
+  state.worth = select(first, kWorth * Floats(shown) * carries, state.worth);
+  const LaneMask judged = known && !first;
+  const Floats fate = draw1D(judged);
+  // Among white walls nothing else might ever end a path.
+  const Floats most = select(toMask(state.bounces > kRouletteWithGuide), Floats(kMostSurvival), Floats(1.0f));
+  const Floats survival = max(min(Floats(lux) * carries / state.worth, most), kLeastSurvival);
+  ended = judged && fate >= survival;
+  state.throughput *= select(judged, 1.0f / survival, Floats(1.0f));
+  return known;
+}
+
 LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
   using namespace lane_math;
   const BsdfT<Floats> bsdf(at.shading, -state.direction);
@@ -294,6 +326,7 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
   Floats localShare = 1.0f, skyShare = 1.0f;
   LaneMask scatters = active && bsdf.scatters();
   const LaneMask widely = scatters && bsdf.diffuseShare() > kLeastDiffuse;
+  LaneMask known(false);  // to the guide
   const LaneMask looksOut = widely && LaneMask(daylight.looksOut() && options_.looks);
 
   if (options_.lightSampling != LightSampling::SurfacesOnly) {
@@ -317,6 +350,12 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
       });
     if (options_.cache) {
       const LaneMask ended = takeFromCache(widely && indirect && !sharp, at, bsdf);
+      active = active && !ended;
+      scatters = scatters && !ended;
+    }
+    if (options_.guide) {
+      LaneMask ended;
+      known = judge(widely && active, at, bsdf, ended);
       active = active && !ended;
       scatters = scatters && !ended;
     }
@@ -373,9 +412,10 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
       state.flags);
   active = active && maxComponent(state.throughput) > 0.0f;
 
-  const LaneMask judged = active && (toMask(state.bounces > kRouletteAfter) || toMask(state.segments > 16));
+  const int always = options_.guide ? kRouletteWithGuide : kRouletteAfter;
+  const LaneMask judged = active && !known && (toMask(state.bounces > always) || toMask(state.segments > 16));
   const Floats fate = draw1D(judged);
-  const Floats survival = min(maxComponent(state.throughput) / state.etaScale, 0.98f);
+  const Floats survival = min(maxComponent(state.throughput) / state.etaScale, kMostSurvival);
   active = active && !(judged && fate >= survival);
   state.throughput *= select(judged, 1.0f / survival, Floats(1.0f));
   set(turns && draw1D(active) < kLocalShare, kAsksLamps);

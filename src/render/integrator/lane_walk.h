@@ -28,6 +28,7 @@ struct WalkState {
   F pdf;                              // and the density with which
   F localShare, skyShare;             // how likely light sampling asked lamps and the sky there
   Vec3T<F> radiance;                  // gathered so far
+  F worth;                            // cd/m2, that the guide has to expect to follow it; 0: not known yet
   SamplerT<F> sampler;
   Int<F> flags;  // WalkFlag
   Int<F> bounces, segments, rays;
@@ -100,6 +101,7 @@ class LaneWalk {
                const Floats& choice, const Floats& lookShare);
   void askLamps(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, const LaneReceiver& here,
                 const Floats& choice, const Floats& localShare);
+  LaneMask judge(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, LaneMask& ended);
   LaneMask takeFromCache(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf);
 
   const CompiledScene& scene_;

@@ -8,7 +8,7 @@ namespace idap::render {
 namespace {
 
 constexpr float kPatchShare = 0.5f;  // of looks, where patches of sun are in view
-constexpr int kMostVeils = 8;       // that let light by as well as scattering it, on a look's way
+constexpr int kMostVeils = 8;        // that let light by as well as scattering it, on a look's way
 
 // What part of the light goes straight through the surfaces.
 LaneVec straightThrough(LaneMask active, const LaneVec& direction, const LanePoints& points) {

@@ -24,6 +24,9 @@ struct PathOptions {
   // Where light that has bounced before is taken from; null: paths are followed to their end. Its light
   // counts to group 0.
   const LightCache* cache = nullptr;
+  // What light is to be expected where, for roulette to end the paths that would bring little. The mean is
+  // right whatever it says. Null: roulette goes by what a path carries alone.
+  const LightCache* guide = nullptr;
 };
 
 // A path's beginning: the ray from the camera and the random numbers that are left.

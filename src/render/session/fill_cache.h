@@ -21,4 +21,8 @@ std::shared_ptr<const LightCache> fillCache(const CompiledScene& scene, std::spa
                                             const RenderSettings& settings, int paths,
                                             const Progress& progress = {});
 
+// One for RenderSettings::guide, from as many paths as a picture of that size is worth.
+std::shared_ptr<const LightCache> fillGuide(const CompiledScene& scene, const Camera& camera,
+                                            const RenderSettings& settings, const Progress& progress = {});
+
 }  // namespace idap::render

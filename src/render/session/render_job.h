@@ -15,7 +15,7 @@ namespace idap::render {
 class LightCache;
 
 // Of the random numbers and of how paths use them. Pictures begun with another one cannot be gone on with.
-inline constexpr int kSamplingVersion = 2;
+inline constexpr int kSamplingVersion = 3;
 
 enum class IntegratorKind { Path, Classic };
 
@@ -33,7 +33,8 @@ struct RenderSettings {
   float clampIndirect = 0.0f;  // see PathOptions
   // See fillCache(): quicker and nearly right. Not used where light groups are kept apart. Null: none.
   std::shared_ptr<const LightCache> cache{};
-  bool looks = true;  // see PathOptions
+  std::shared_ptr<const LightCache> guide{};  // see PathOptions and fillGuide(). Null: none
+  bool looks = true;                          // see PathOptions
   PixelFilter filter = PixelFilter::BlackmanHarris;
   bool perLightGroupLayers = false;
   bool transparentBackground = false;  // the sky lights the scene but is not seen behind it

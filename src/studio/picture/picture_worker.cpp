@@ -14,6 +14,7 @@
 #include "render/accel/compiled_scene.h"
 #include "render/denoise/denoise.h"
 #include "render/film/develop.h"
+#include "render/session/fill_cache.h"
 #include "render/session/focus.h"
 #include "render/session/pilot.h"
 #include "render/session/render_job.h"
@@ -145,10 +146,12 @@ class Tracing {
     settings_.height = request_.height;
     settings_.spp = request_.samples;
     settings_.threads = threads_;
-    if (request_.classic)
+    if (request_.classic) {
       settings_.integrator = render::IntegratorKind::Classic;
-    else
+    } else {
       settings_.clampIndirect = render::clampFor(render::pilotExposure(*scene_, view_, settings_));
+      settings_.guide = render::fillGuide(*scene_, view_, settings_, job_.progress);
+    }
     job_.progress.check();
   }
 

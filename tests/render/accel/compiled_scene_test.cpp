@@ -227,6 +227,80 @@ TEST(CompiledScene, NewRaysNeitherHitTheirOwnSurfaceNorLeakOut) {
   }
 }
 
+TEST(CompiledScene, HardlyARaySlipsBetweenTriangles) {
+  SceneMaker make;
+  make.add(sphereMesh({15, 9, 1.3f}, 3, 100), lambert(grey(0.5f)));
+  for (const BvhLevels levels : {BvhLevels::One, BvhLevels::Two}) {
+    const CompiledScene scene(make.shared(), 0, nullptr, levels);
+    int lost = 0;
+    constexpr int kRays = 400'000;
+    for (int i = 0; i < kRays; ++i) {
+      const Vec2f u = hammersley(i, kRays);
+      Hit hit;
+      lost += !scene.intersect({{14.2f + u.y, 8.6f, 1 + u.x}, uniformCone(u, 2.0f)}, hit, kBounceRay);
+    }
+    EXPECT_LE(lost, 3);
+  }
+}
+
+TEST(CompiledScene, ALookGoesThroughPanesToWhatIsBehind) {
+  Surface pane;
+  pane.baseColor = grey(1);
+  pane.transmission = 1;
+  pane.roughness = 0.02f;
+  Surface frosted = pane;
+  frosted.roughness = 0.5f;
+  SceneMaker make;
+  const auto sheet = [&](float x, const Surface& s) {
+    make.add(parallelogram({x, -1, -1}, {0, 2, 0}, {0, 0, 2}), s);
+  };
+  sheet(1, pane);
+  sheet(2, pane);
+  sheet(3, lambert(grey(0.5f)));
+  sheet(4, pane);
+  const auto scene = make.compile();
+  LaneRays rays{toLanes({0, 0, 0}), toLanes({1, 0, 0})};
+  LaneHits hits;
+  LaneVec through;
+  scene->look(LaneMask(true), rays, hits, through);
+  ASSERT_TRUE(lane(hits.found, 0));
+  EXPECT_EQ(hits.hit[0].instance, 2u);
+  EXPECT_NEAR(lane(hits.t, 0), 3, 1e-5f);
+  // A sheet of glass reflects 2R/(1+R) of what meets it head on, R being 0.04 at an index of 1.5.
+  const float one = 1 - 0.08f / 1.04f;
+  EXPECT_NEAR(lane(through.x, 0), one * one, 1e-4f);
+
+  // The pane behind is not counted from the other side either; frosted glass is looked at, not through.
+  rays.origin = toLanes({3.5f, 0, 0});
+  scene->look(LaneMask(true), rays, hits, through);
+  EXPECT_FALSE(any(hits.found));
+  EXPECT_NEAR(lane(through.x, 0), one, 1e-4f);
+  sheet(0.5f, frosted);
+  const auto other = make.compile();
+  rays.origin = toLanes({0, 0, 0});
+  other->look(LaneMask(true), rays, hits, through);
+  EXPECT_NEAR(lane(hits.t, 0), 0.5f, 1e-5f);
+  EXPECT_NEAR(lane(through.x, 0), 1, 1e-6f);
+}
+
+TEST(CompiledScene, ALookEndsSomewhereAmongVeryManyPanes) {
+  Surface pane;
+  pane.baseColor = grey(1);
+  pane.transmission = 1;
+  pane.roughness = 0.02f;
+  SceneMaker make;
+  for (int i = 1; i <= 40; ++i)
+    make.add(parallelogram({static_cast<float>(i), -1, -1}, {0, 2, 0}, {0, 0, 2}), pane);
+  const auto scene = make.compile();
+  LaneHits hits;
+  LaneVec through;
+  scene->look(LaneMask(true), {toLanes({0, 0, 0}), toLanes({1, 0, 0})}, hits, through);
+  ASSERT_TRUE(lane(hits.found, 0));
+  const float before = std::round(lane(hits.t, 0)) - 1;  // panes
+  EXPECT_LE(before, 8);
+  EXPECT_NEAR(lane(through.x, 0), std::pow(1 - 0.08f / 1.04f, before), 1e-3f);
+}
+
 TEST(CompiledScene, BrokenTrianglesAreHarmless) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   SceneMaker make;

@@ -82,6 +82,63 @@ TEST(FillCache, ThePictureIsNearlyTheSameAndQuieter) {
   EXPECT_GT(cached.paths, 0u);
 }
 
+// A guide that takes the dark side of the room for bright and the other way round.
+std::shared_ptr<const LightCache> wrongGuide() {
+  std::vector<CacheRecord> all;
+  for (int facing = 0; facing < 6; ++facing)
+    for (int i = 0; i < 20'000; ++i) {
+      const Vec3f p{4 * static_cast<float>(i % 25) / 25, 5 * static_cast<float>(i / 25 % 25) / 25,
+                    2.5f * static_cast<float>(i / 625) / 32};
+      all.push_back({p, static_cast<std::uint32_t>(facing), grey(p.y < 2.5f ? 1.0f : 300.0f)});
+    }
+  return std::make_shared<const LightCache>(all);
+}
+
+TEST(Guide, ThePictureIsRightWhateverItSays) {
+  const auto scene = whiteRoom();
+  Camera camera;
+  camera.eye = {2, 0.2f, 1.5f};
+  RenderSettings settings{.width = 24, .height = 16, .spp = 2048};
+  const auto brightness = [&](std::shared_ptr<const LightCache> guide) {
+    Film film(settings.width, settings.height);
+    settings.guide = std::move(guide);
+    render(*scene, camera, settings, film);
+    double sum = 0;
+    for (std::size_t i = 0; i < film.pixels(); ++i) sum += static_cast<double>(luminance(film.meanColor(i)));
+    return sum;
+  };
+  const double truth = brightness(nullptr);
+  EXPECT_NEAR(brightness(fillGuide(*scene, camera, settings)) / truth, 1, 0.005);
+  EXPECT_NEAR(brightness(wrongGuide()) / truth, 1, 0.01);
+}
+
+// A dark hall that is lit from the next room through a door.
+TEST(Guide, LessNoiseWithFewerRays) {
+  SceneMaker make;
+  make.add(boxMesh({0, 0, 0}, {4, 5, 2.5f}, true), lambert(grey(0.7f)));
+  make.add(boxMesh({0, 2.5f, 0}, {3.1f, 2.6f, 2.5f}), lambert(grey(0.7f)));
+  make.scene().lamps.push_back({.position = {1, 4, 2.2f}, .radius = 0.05f, .intensity = grey(100)});
+  const auto scene = make.compile();
+  Camera camera;
+  camera.eye = {0.3f, 0.3f, 1.5f};
+  camera.forward = normalized(Vec3f{0.8f, 0.6f, 0});
+  RenderSettings settings{.width = 48, .height = 32, .spp = 4096};
+  Film truth(48, 32), with(48, 32), without(48, 32);
+  render(*scene, camera, settings, truth);
+  settings.spp = 256;
+  settings.seed = 5;
+  const RenderStats plain = render(*scene, camera, settings, without);
+  settings.guide = fillGuide(*scene, camera, settings);
+  ASSERT_NE(settings.guide, nullptr);
+  const RenderStats guided = render(*scene, camera, settings, with);
+  double noise = 0, noiseWith = 0;
+  for (std::size_t i = 0; i < truth.pixels(); ++i) {
+    const auto at = [&](const Film& f) { return static_cast<double>(luminance(f.meanColor(i))); };
+    noise += std::pow(at(without) / at(truth) - 1, 2), noiseWith += std::pow(at(with) / at(truth) - 1, 2);
+  }
+  EXPECT_LT(noiseWith * static_cast<double>(guided.rays), 0.9 * noise * static_cast<double>(plain.rays));
+}
+
 TEST(FillCache, IsTheSameForAnyNumberOfThreads) {
   const auto scene = whiteRoom();
   Camera camera;
