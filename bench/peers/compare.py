@@ -14,6 +14,7 @@ import subprocess
 import sys
 
 SIZE, CYCLES_SAMPLES, CYCLES_REFERENCE, OUR_REFERENCE = "160x120", 256, 4096, 3072
+LARGE, LARGE_SAMPLES = "640x480", 16
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -74,12 +75,29 @@ def main():
                 peers = made["seconds"]
         for part in (4, 20):
             seconds = peers / part
-            for name, options in (("paths without looks", ["--no-looks"]), ("paths", []),
+            for name, options in (("paths without looks and guide", ["--no-looks", "--no-guide"]),
+                                  ("paths without guide", ["--no-guide"]), ("paths", []),
                                   ("with the light cache", ["--cache", 50000 * seconds])):
                 for cleaned in ([], ["--denoise"]):
                     figures = ours("--time", seconds, *options, *cleaned)
                     row(f"{name}{', denoised' if cleaned else ''}, 1/{part} of that time",
                         figures["learn_s"] + figures["render_s"] + figures["denoise_s"], figures["paths_per_s"], figures)
+        large = folder / "large"
+        subprocess.run([peer, "scene", home, large, "--size", LARGE], check=True)
+        print(f"\n{LARGE}, {LARGE_SAMPLES} paths a pixel, from the built scene to the last path:\n")
+        print("| | seconds | million paths a second |\n|---|---|---|")
+
+        def rate(what, seconds):
+            width, height = map(int, LARGE.split("x"))
+            print(f"| {what} | {seconds:.1f} | {width * height * LARGE_SAMPLES / seconds / 1e6:.3f} |", flush=True)
+
+        if blender:
+            rate("Cycles", run(blender, "-b", "--factory-startup", "-P", HERE / "cycles.py", "--", large,
+                               folder / "now.exr", LARGE_SAMPLES, 8)["seconds"])
+        for name, options in (("paths", []), ("paths without looks and guide", ["--no-looks", "--no-guide"])):
+            made = run(peer, "render", home, folder / "now.exr", "--size", LARGE, "--spp", LARGE_SAMPLES,
+                       "--threads", 2, *options)
+            rate(name, made["compile_s"] + made["learn_s"] + made["render_s"])
 
 
 main()

@@ -1,15 +1,15 @@
 // Our side of a comparison with another renderer. Four jobs:
-//   peer scene HOME FOLDER [--camera N] [--matte] [--size WxH]
+//   peer scene HOME FOLDER [--camera N] [--matte] [--night] [--size WxH]
 //       writes scene.glb, sky.exr and scene.json (lamps, sun, camera): what bench/peers/cycles.py reads
 //   peer render HOME OUT.exr [the same] [--spp N | --time S] [--threads N] [--denoise] [--clamp] [--cache
-//   PATHS]
+//   PATHS] [--no-looks] [--no-guide] [--no-portals]
 //       renders the same scene and prints its figures as JSON
 //   peer compare A.exr REFERENCE.exr [--block 16] [--without-lamps]
 //       prints how far A is from the reference, by pixel and by block
 //   peer develop A.exr OUT.png [--like B.exr]
 //       the picture for a screen, exposed as B would be
-// --matte: every surface a Lambertian one, panes of glass without reflections, so that two renderers whose
-// materials differ have to agree on the light.
+// --night: lamps only. --matte: every surface a Lambertian one, panes of glass without reflections, so that
+// two renderers whose materials differ have to agree on the light.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -58,9 +59,10 @@ Arguments parse(int argc, char** argv) {
   for (int i = 2; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with("--")) {
-      const bool flag = word == "--matte" || word == "--denoise" || word == "--clamp" ||
-                        word == "--no-looks" || word == "--no-guide" || word == "--two-levels" ||
-                        word == "--without-lamps";
+      static const std::set<std::string> kFlags{"--matte",    "--denoise",    "--clamp",
+                                                "--no-looks", "--no-guide",   "--no-portals",
+                                                "--night",    "--two-levels", "--without-lamps"};
+      const bool flag = kFlags.contains(word);
       a.options[word.substr(2)] = flag || i + 1 >= argc ? "" : argv[++i];
     } else {
       a.files.push_back(word);
@@ -103,6 +105,8 @@ Prepared prepare(const Arguments& a) {
   options.lamps = a.text("lamps", "on") == "off" ? LampPolicy::Off : LampPolicy::On;
   options.time = camera.time;
   p.built = buildScene(home, catalog, options);
+  if (a.has("night")) p.built.scene->sun = {}, p.built.scene->sky = {}, p.built.scene->portals.clear();
+  if (a.has("no-portals")) p.built.scene->portals.clear();
   if (a.has("matte")) makeMatte(*p.built.scene);
   p.camera = toRenderCamera(camera, p.built, aspect);
   p.camera.projection = render::Projection::Perspective;
