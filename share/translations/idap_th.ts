@@ -5308,6 +5308,22 @@
         <source>S&amp;harpness</source>
         <translation>ความคมชัด(&amp;H)</translation>
     </message>
+    <message>
+        <source>Export in &amp;three dimensions…</source>
+        <translation>ส่งออกแบบสามมิติ(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Writes the home as glTF, for viewers and other 3D programs</source>
+        <translation>เขียนบ้านเป็น glTF สำหรับโปรแกรมดูและโปรแกรมสามมิติอื่น ๆ</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation>เขียน %1 ไม่ได้: %2</translation>
+    </message>
+    <message>
+        <source>Exported the home in three dimensions as %1</source>
+        <translation>ส่งออกบ้านแบบสามมิติเป็น %1 แล้ว</translation>
+    </message>
 </context>
 <context>
     <name>idap::AboutDialog</name>
@@ -6536,6 +6552,18 @@ A furniture library (SH3F) becomes part of the catalog. A model (OBJ, 3DS, DAE, 
     <message>
         <source>My furniture</source>
         <translation>เฟอร์นิเจอร์ของฉัน</translation>
+    </message>
+    <message>
+        <source>Export in three dimensions</source>
+        <translation>ส่งออกแบบสามมิติ</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>ฉาก</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>กำลังส่งออก %1</translation>
     </message>
 </context>
 <context>

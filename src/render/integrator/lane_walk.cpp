@@ -286,10 +286,9 @@ LaneMask LaneWalk::takeFromCache(LaneMask lanes, const LanePoints& at, const Bsd
 }
 
 // Roulette by what a path is expected to bring, beside what its first surface shows or how noisy that is,
-// whichever is less (Vorba and Krivanek 2016, "Adjoint-driven Russian roulette and splitting in light
-// transport simulation", without the splitting; the noise as in Rath et al. 2022, "EARS: efficiency-aware
-// Russian roulette and splitting"). A path that has come to a dark place mostly ends, one on its way to a
-// bright one never does. Returns the lanes that the guide knows, which other roulette is to leave alone.
+// whichever is less: @cite vorba2016adjoint, without the splitting; the noise after @cite rath2022ears. A
+// path that has come to a dark place mostly ends, one on its way to a bright one never does. Returns the
+// lanes that the guide knows, which other roulette is to leave alone.
 LaneMask LaneWalk::judge(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, LaneMask& ended) {
   using namespace lane_math;
   LaneArray lux(0.0f), shown(0.0f);

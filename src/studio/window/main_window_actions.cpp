@@ -6,8 +6,6 @@
 #include <QMenuBar>
 #include <QToolButton>
 
-#include "base/file.h"
-#include "catalog/library/own_library.h"
 #include "editor/commands/command.h"
 #include "formats/registry.h"
 #include "model/edits/element_edits.h"
@@ -86,6 +84,10 @@ void MainWindow::Impl::makeFileActions() {
   ofHome(actions->add({"export-csv", QT_TRANSLATE_NOOP("idap", "Export the &furniture list…"),
                        QT_TRANSLATE_NOOP("idap", "Writes the list as a table (CSV) for a spreadsheet")},
                       [this] { exportCsv(); }));
+  ofHome(
+      actions->add({"export-scene", QT_TRANSLATE_NOOP("idap", "Export in &three dimensions…"),
+                    QT_TRANSLATE_NOOP("idap", "Writes the home as glTF, for viewers and other 3D programs")},
+                   [this] { exportScene(); }));
   ofHome(actions->add({"print", QT_TRANSLATE_NOOP("idap", "&Print…"),
                        QT_TRANSLATE_NOOP("idap", "Prints the plan to scale, on paper or into a PDF"),
                        "Ctrl+P", QT_TRANSLATE_NOOP("idap", "Print")},
@@ -350,8 +352,8 @@ void MainWindow::Impl::makeMenus() {
   add(file, {"new-window", "", "open"});
   recentMenu = file->addMenu(QString());
   menus.emplace_back(recentMenu, QT_TRANSLATE_NOOP("idap", "Open &recent"));
-  add(file, {"close", "", "save", "save-as", "save-compact", "", "export-csv", "print", "", "preferences", "",
-             "quit"});
+  add(file, {"close", "", "save", "save-as", "save-compact", "", "export-csv", "export-scene", "print", "",
+             "preferences", "", "quit"});
 
   QMenu* edit = menu(QT_TRANSLATE_NOOP("idap", "&Edit"));
   add(edit,
@@ -499,49 +501,6 @@ void MainWindow::Impl::openDropped(const QString& file) {
   } else {
     importFurniture(file);
   }
-}
-
-void MainWindow::Impl::exportFurniture() {
-  auto* dialog = new QFileDialog(w, MainWindow::tr("Export own furniture"), preferences.lastFolder(),
-                                 MainWindow::tr("Furniture libraries") + QStringLiteral(" (*.sh3f)"));
-  dialog->setObjectName(QStringLiteral("furnitureFileDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("sh3f"));
-  dialog->selectFile(MainWindow::tr("My furniture") + QStringLiteral(".sh3f"));
-  QObject::connect(dialog, &QFileDialog::fileSelected, w, [this](const QString& file) {
-    try {
-      const OwnLibrary library;
-      if (library.pieces().empty()) throw Error("there is no furniture of your own yet");
-      writeFileAtomically(fromQt(file), library.pack());
-      editor.say({QT_TRANSLATE_NOOP("idap", "Exported your furniture as %1"), {fromQt(file)}});
-    } catch (const Error& error) {
-      editor.say({QT_TRANSLATE_NOOP("idap", "Your furniture could not be exported: %1"), {error.what()}},
-                 Editor::Severity::Error);
-    }
-  });
-  dialog->open();
-}
-
-void MainWindow::Impl::exportCsv() {
-  auto* dialog = new QFileDialog(w, MainWindow::tr("Export the furniture list"), preferences.lastFolder(),
-                                 MainWindow::tr("Tables") + QStringLiteral(" (*.csv)"));
-  dialog->setObjectName(QStringLiteral("csvDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("csv"));
-  dialog->selectFile(files->title() + QStringLiteral(".csv"));
-  QObject::connect(dialog, &QFileDialog::fileSelected, w, [this](const QString& file) {
-    const std::string csv = furniture->csv();
-    try {
-      writeFileAtomically(fromQt(file), std::as_bytes(std::span(csv)));
-      editor.say({QT_TRANSLATE_NOOP("idap", "Exported the furniture list as %1"), {fromQt(file)}});
-    } catch (const Error& error) {
-      editor.say({QT_TRANSLATE_NOOP("idap", "The furniture list could not be written: %1"), {error.what()}},
-                 Editor::Severity::Error);
-    }
-  });
-  dialog->open();
 }
 
 void MainWindow::Impl::erase() {

@@ -73,6 +73,7 @@ struct MainWindow::Impl {
   void importFurniture(const QString& file = {});
   void openDropped(const QString& file);
   void exportCsv();
+  void exportScene();
   void exportFurniture();
   void erase();
   void rayTrace();

@@ -270,5 +270,20 @@ TEST_F(FilesTest, TheFurnitureListIsExported) {
   EXPECT_TRUE(waitFor([&] { return contents(path("list.csv")).find('\n') != std::string::npos; }));
 }
 
+TEST_F(FilesTest, TheHomeIsExportedInThreeDimensions) {
+  newRoom();
+  put("idap/chair-windsor", {1, 1});
+  bool said = false;
+  const int subscription = editor().subscribe(
+      {.said = [&](const Text&, Editor::Severity severity) { said = severity != Editor::Severity::Error; }});
+  trigger("export-scene");
+  choose("sceneDialog", path("home.glb"));
+  EXPECT_TRUE(waitFor([&] { return said; }));
+  editor().unsubscribe(subscription);
+  const std::string glb = contents(path("home.glb"));
+  EXPECT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_NE(glb.find("\"meshes\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace idap::test
