@@ -19,10 +19,10 @@ struct ShadowRay {
 
 // The clear sheets that a look has met so far, in the order of traversal and not only those before its end.
 struct SheetsMet {
-  struct Sheet {
+  struct Sheet {  // not initialized where there is none
     float t;
     std::uint32_t instance;
-    Rgb transmittance;
+    float transmittance[3];
   };
   static constexpr int kMost = 8;
   Vec3f direction;
@@ -80,7 +80,8 @@ bool meets(const CompiledScene::Accel& accel, SheetsMet& ray, const RTCHit& hit,
   const SurfaceData& surface =
       accel.surfaces[instance.surfaceOf(instance.triangleOf(hit.geomID, hit.primID))];
   if (!surface.clearSheet || ray.count == SheetsMet::kMost) return true;
-  ray.sheets[ray.count++] = {t, index, transmittanceAt(accel, instance, surface, hit, ray.direction)};
+  const Rgb through = transmittanceAt(accel, instance, surface, hit, ray.direction);
+  ray.sheets[ray.count++] = {t, index, {through.x, through.y, through.z}};
   return false;
 }
 
@@ -112,7 +113,7 @@ Rgb transmittanceOf(SheetsMet& ray, float end) {
     const SheetsMet::Sheet& sheet = ray.sheets[i];
     if (i > 0 && sameSheet(sheet.t, sheet.instance, ray.sheets[i - 1].t, ray.sheets[i - 1].instance))
       continue;
-    through *= sheet.transmittance;
+    through *= Rgb{sheet.transmittance[0], sheet.transmittance[1], sheet.transmittance[2]};
   }
   return through;
 }

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include "editor/commands/command.h"
 #include "studio/catalog/catalog_panel.h"
 #include "studio/catalog/finish_panel.h"
 #include "studio/film/film_window.h"
