@@ -27,4 +27,12 @@ struct LightSampleT {
 };
 using LightSample = LightSampleT<float>;
 
+// What is found by a strategy of density a counts where one of density b could have found it as well: the
+// power heuristic with exponent 2; b may be 0.
+template <class F>
+F share(F a, F b) {
+  const F r = b / a;
+  return 1.0f / (1.0f + r * r);
+}
+
 }  // namespace idap::render

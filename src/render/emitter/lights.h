@@ -14,6 +14,8 @@ class Lights {
   const LocalLights& local() const { return local_; }
   const Daylight& daylight() const { return daylight_; }
   const SunPatches& sunPatches() const { return sunPatches_; }
+  // Whether there is something worth looking at: windows on a sunny day, the insides of lamps after dark.
+  bool looks() const { return daylight_.looksOut() || sunPatches_.hasLamps(); }
 
  private:
   LocalLights local_;

@@ -5,6 +5,7 @@
 
 #include "geometry/box.h"
 #include "render/accel/compiled_scene.h"
+#include "render/emitter/lamp.h"
 #include "render/sampling/frame.h"
 #include "render/sampling/warp.h"
 
@@ -16,10 +17,23 @@ constexpr int kRays = 4096;
 constexpr int kMostSheets = 8;      // panes a sunbeam is followed through
 constexpr float kMargin = 0.04f;    // m, around spots, for what lies between them
 constexpr float kSmallest = 0.12f;  // m, radius of groups that are not divided further
+// The same for the insides of lamps, which are those nearer to a bulb than kInside.
+constexpr float kLampMargin = 0.01f, kSmallestOfLamps = 0.03f, kInside = 0.25f;
+constexpr int kLampRays = 256;
+constexpr std::size_t kMostLamps = 32;  // are looked at; where there are more, light sampling has to do
+constexpr float kLeastInside = 0.12f;   // of a bulb's light, for its lamp to be worth looking at
+constexpr float kLeastOfAll = 0.15f;    // of all bulbs' light, for looks to be worth their rays
+constexpr float kDaylight = 0.5f;  // times what the lamps' insides give off: where it is more, none matters
 
 }  // namespace
 
 SunPatches::SunPatches(const CompiledScene& scene) {
+  addSun(scene);
+  firstLamp_ = patches_.size();
+  addLamps(scene);
+}
+
+void SunPatches::addSun(const CompiledScene& scene) {
   const Sun& sun = scene.scene().sun;
   if (!(luminance(sun.illuminance) > 0)) return;
   const Vec3f towards = normalized(sun.direction);
@@ -57,11 +71,62 @@ SunPatches::SunPatches(const CompiledScene& scene) {
       }
     }
   }
-  if (!spots.empty()) cluster(spots);
+  if (!spots.empty()) cluster(spots, kMost / 2, kSmallest, kMargin);
+}
+
+void SunPatches::addLamps(const CompiledScene& scene) {
+  const std::vector<Lamp>& lamps = scene.scene().lamps;
+  if (lamps.empty() || lamps.size() > kMostLamps) return;
+  std::vector<Spot> spots;
+  float inside = 0, total = 0;
+  for (const Lamp& lamp : lamps) {
+    if (!std::isfinite(dot(lamp.position, lamp.position))) continue;
+    std::vector<Spot> own;
+    float flux = 0, all = 0;
+    for (int i = 0; i < kLampRays; ++i) {
+      const Vec3f d = uniformCone(hammersley(i, kLampRays), 2.0f);
+      const float beam = luminance(lampIntensity(lamp, d)) * (4 * kPiF / kLampRays);
+      if (!(beam > 0 && std::isfinite(beam))) continue;
+      all += beam;
+      Hit hit;
+      const Ray ray{lamp.position, d, lamp.radius * 1.01f, kInside};
+      if (!scene.intersect(ray, hit, kSeenByLight)) continue;
+      const Interaction at = scene.interaction(ray, hit);
+      const SurfaceValues values = valuesAt(*at.surface, at.uv);
+      const float through = luminance(straightTransmittance(*at.surface, values, std::fabs(dot(at.ng, d))));
+      const float off = beam * (1 - through) * luminance(values.baseColor);
+      if (!(off > 0)) continue;
+      own.push_back({at.position, at.surface->translucency > 0 ? Vec3f{} : at.ng, off});
+      flux += off;
+    }
+    total += all;
+    if (!(flux > kLeastInside * all)) continue;
+    spots.insert(spots.end(), own.begin(), own.end());
+    inside += flux;
+  }
+  if (!(inside > kLeastOfAll * total)) return;
+  float daylight = total_;
+  const Sky& sky = scene.scene().sky;
+  double radiance = 0;
+  for (const Rgb c : sky.radiance) radiance += static_cast<double>(luminance(c));
+  if (!sky.radiance.empty()) radiance /= static_cast<double>(sky.radiance.size());
+  for (const Portal& p : scene.scene().portals)
+    daylight += length(cross(p.edgeU, p.edgeV)) * kPiF * static_cast<float>(radiance);
+  if (!(daylight < kDaylight * inside)) return;
+  cluster(spots, kMost / 2, kSmallestOfLamps, kLampMargin);
+}
+
+LaneMask SunPatches::nearLamps(const LaneVec& points) const {
+  LaneMask near(false);
+  for (std::size_t i = firstLamp_; i < patches_.size(); ++i) {
+    const LaneVec to = points - spread<Floats>(patches_[i].centre);
+    near = near || dot(to, to) <= patches_[i].radius * patches_[i].radius;
+  }
+  return near;
 }
 
 // Divides the group in which most light is spread widest until there are enough.
-void SunPatches::cluster(std::vector<Spot>& spots) {
+void SunPatches::cluster(std::vector<Spot>& spots, std::size_t most, float smallest, float margin) {
   struct Group {
     std::size_t from, to;
     Box3f box;
@@ -78,11 +143,11 @@ void SunPatches::cluster(std::vector<Spot>& spots) {
     return g;
   };
   std::vector<Group> groups{group(0, spots.size())};
-  while (groups.size() < kMost) {
-    const auto widest = std::ranges::max_element(groups, {}, [](const Group& g) {
-      return g.radius > kSmallest ? g.flux * g.radius * g.radius : 0.0f;
+  while (groups.size() < most) {
+    const auto widest = std::ranges::max_element(groups, {}, [&](const Group& g) {
+      return g.radius > smallest ? g.flux * g.radius * g.radius : 0.0f;
     });
-    if (!(widest->radius > kSmallest)) break;
+    if (!(widest->radius > smallest)) break;
     const Group whole = *widest;
     const Vec3f size = whole.box.size(), centre = whole.box.centre();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -97,7 +162,7 @@ void SunPatches::cluster(std::vector<Spot>& spots) {
     Vec3f normal{};
     for (std::size_t i = g.from; i < g.to; ++i) normal = normal + spots[i].normal * (spots[i].flux / g.flux);
     patches_.push_back(
-        {g.box.centre(), g.radius + kMargin, g.flux, normal, std::max(0.0f, 1 - length(normal))});
+        {g.box.centre(), g.radius + margin, g.flux, normal, std::max(0.0f, 1 - length(normal))});
     total_ += g.flux;
   }
 }

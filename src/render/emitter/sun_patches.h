@@ -1,6 +1,7 @@
-// Where the sun falls into rooms through portals. These patches are small and so bright that most of a sunny
-// room's light comes from them; a path tracer finds them by steering part of its bounces there. They guide
-// only: what a ray finds is what counts, so patches that are out of date or hidden cost time, not truth.
+// Where the sun falls into rooms through portals, and after dark the insides of lamps that are open but shade
+// their bulbs. These patches are small and so bright that much of a room's light comes from them; a path
+// tracer finds them by looking there. They guide only: what a ray finds is what counts, so patches that are
+// out of date or hidden cost time, not truth.
 #pragma once
 
 #include <vector>
@@ -16,8 +17,12 @@ class SunPatches {
   SunPatches() = default;
   explicit SunPatches(const CompiledScene& scene);
 
-  static constexpr int kMost = 32;
+  static constexpr int kMost = 64;
   bool empty() const { return !(total_ > 0); }
+  // Whether there are lamps to look at.
+  bool hasLamps() const { return firstLamp_ < patches_.size(); }
+  // The points that lie within the patches of lamps.
+  LaneMask nearLamps(const LaneVec& points) const;
 
  private:
   template <class F>
@@ -26,7 +31,10 @@ class SunPatches {
     Vec3f position, normal;
     float flux = 0.0f;
   };
-  void cluster(std::vector<Spot>& spots);
+  // Adds the spots in at most so many groups of about so large a radius (m) or more, with a margin around.
+  void cluster(std::vector<Spot>& spots, std::size_t most, float smallest, float margin);
+  void addSun(const CompiledScene& scene);
+  void addLamps(const CompiledScene& scene);
 
   // A sphere around a group of spots.
   struct Patch {
@@ -35,7 +43,8 @@ class SunPatches {
     Vec3f normal;        // the mean of the spots' unit normals
     float slack = 0.0f;  // how far those differ
   };
-  std::vector<Patch> patches_;  // at most kMost
+  std::vector<Patch> patches_;  // at most kMost; the sun's first
+  std::size_t firstLamp_ = 0;
   float total_ = 0.0f;
 };
 

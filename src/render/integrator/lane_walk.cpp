@@ -20,13 +20,6 @@ constexpr std::size_t kMostLessons = 24;  // bounces of a path that a cache lear
 constexpr float kLeastDiffuse = 0.25f;    // of a surface's scattering, for looks and caches to make sense
 constexpr int kMostSegments = 4096;       // a guard against endless loops, far beyond what roulette lets live
 
-// Power heuristic with exponent 2; b may be 0.
-template <class F>
-F share(F a, F b) {
-  const F r = b / a;
-  return 1.0f / (1.0f + r * r);
-}
-
 }  // namespace
 
 WalkState<float> beginWalk(const PathStart& start) {
@@ -236,7 +229,9 @@ void LaneWalk::connect(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>
 // Adds what one look from each point finds of sky and sunlit surfaces.
 void LaneWalk::lookOut(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf,
                        const LaneReceiver& here, const Floats& choice, const Floats& lookShare) {
-  const LaneVec2 u = draw2D(lanes), onSun = draw2D(lanes);
+  const LaneVec2 u = draw2D(lanes);
+  LookDraws draws{draw2D(lanes), {}, 0.0f};
+  if (scene_.lights().sunPatches().hasLamps()) draws.lamp = draw2D(lanes), draws.lampChoice = draw1D(lanes);
   if (!any(lanes)) return;
   LaneVec wi;
   Floats pdf;
@@ -248,16 +243,19 @@ void LaneWalk::lookOut(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>
   if (both) value *= share(pdf, f.pdf);
   lanes = lanes && maxComponent(value) > 0.0f;
   if (!any(lanes)) return;
-  const Seen seen = look(scene_, lanes, at.originTowards(wi), wi, onSun, state.rays);
-  const LaneVec sky = seen.sky * value, sun = seen.sun * value;
+  const Seen seen = look(scene_, lanes, at.originTowards(wi), wi, draws, state.rays);
+  const LaneVec sky = seen.sky * value, sun = seen.sun * value, lamp = seen.lamp * value;
   add(lanes && maxComponent(sky) > 0.0f, sky * clamped(sky, toMask(state.bounces > 0)), Ints(0));
-  if (both)
-    add(lanes && maxComponent(sun) > 0.0f, sun * clamped(sun, LaneMask(true)),
-        Ints(std::int32_t{scene_.lights().daylight().sunGroup()}));
+  if (!both) return;
+  add(lanes && maxComponent(sun) > 0.0f, sun * clamped(sun, LaneMask(true)),
+      Ints(std::int32_t{scene_.lights().daylight().sunGroup()}));
+  const LaneMask lit = lanes && maxComponent(lamp) > 0.0f;
+  if (any(lit)) add(lit, lamp * clamped(lamp, LaneMask(true)), seen.lampGroup);
 }
 
 void LaneWalk::askLamps(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf,
-                        const LaneReceiver& here, const Floats& choice, const Floats& localShare) {
+                        const LaneReceiver& here, const Floats& choice, const Floats& localShare,
+                        LaneMask byLooks) {
   const LaneVec2 u = draw2D(lanes);
   if (!any(lanes)) return;
   LightSampleT<Floats> light;
@@ -265,7 +263,7 @@ void LaneWalk::askLamps(LaneMask lanes, const LanePoints& at, const BsdfT<Floats
   if (!any(lanes)) return;
   light.pdf *= localShare;
   light.weight *= 1.0f / localShare;
-  connect(lanes, at, bsdf, light, LaneMask(false));
+  connect(lanes, at, bsdf, light, byLooks);
 }
 
 // Ends paths with what is known of the light there: the lanes where enough is.
@@ -326,7 +324,13 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
   LaneMask scatters = active && bsdf.scatters();
   const LaneMask widely = scatters && bsdf.diffuseShare() > kLeastDiffuse;
   LaneMask known(false);  // to the guide
-  const LaneMask looksOut = widely && LaneMask(daylight.looksOut() && options_.looks);
+  const LaneMask looksOut = widely && LaneMask(scene_.lights().looks() && options_.looks);
+  const bool both = options_.lightSampling == LightSampling::Both;
+  // What has been found here could have been by a look.
+  const LaneMask looked = has(kLooked) && !sharp && LaneMask(both);
+  LaneMask inLamp(false);
+  if (scene_.lights().sunPatches().hasLamps())
+    inLamp = active && scene_.lights().sunPatches().nearLamps(at.position);
 
   if (options_.lightSampling != LightSampling::SurfacesOnly) {
     // The sun is asked everywhere, since missing it costs most; lamps and the sky both where the picture
@@ -335,10 +339,7 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
       const LaneVec2 u = draw2D(scatters);
       LightSampleT<Floats> light;
       const LaneMask sunny = scatters && daylight.sampleSun(here, u, light);
-      if (any(sunny)) {
-        const bool both = options_.lightSampling == LightSampling::Both;
-        connect(sunny, at, bsdf, light, has(kLooked) && !sharp && LaneMask(both));
-      }
+      if (any(sunny)) connect(sunny, at, bsdf, light, looked);
     }
     if (!batch_.lessons.empty())
       forLanes(widely, [&](int k) {
@@ -348,7 +349,7 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
                            lane(state.throughput, k) * lane(bsdf.albedo(), k) * (1 / kPiF)});
       });
     if (options_.cache) {
-      const LaneMask ended = takeFromCache(widely && indirect && !sharp, at, bsdf);
+      const LaneMask ended = takeFromCache(widely && indirect && !sharp && !(inLamp && looked), at, bsdf);
       active = active && !ended;
       scatters = scatters && !ended;
     }
@@ -361,17 +362,17 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
     LaneMask askLocal = scatters && LaneMask(!locals.empty());
     LaneMask askSky = scatters && (LaneMask(daylight.hasSky()) || looksOut);
     Floats choice = draw1D(scatters);
-    const LaneMask either = askLocal && askSky && indirect;
+    const LaneMask either = askLocal && askSky && indirect && !inLamp;  // in there as looks ask
     const LaneMask local = has(kAsksLamps);
     localShare = select(either, Floats(kLocalShare), localShare);
     skyShare = select(either, Floats(1 - kLocalShare), skyShare);
     askLocal = askLocal && (local || !either);
     askSky = askSky && !(either && local);
-    if (!locals.empty()) askLamps(askLocal, at, bsdf, here, choice, localShare);
-    if (daylight.hasSky() || daylight.looksOut()) {
+    if (!locals.empty()) askLamps(askLocal, at, bsdf, here, choice, localShare, looked && inLamp);
+    if (daylight.hasSky() || scene_.lights().looks()) {
       const Floats other = draw1D(askSky && askLocal);
       choice = select(askLocal, other, choice);
-      if (daylight.looksOut()) lookOut(askSky && looksOut, at, bsdf, here, choice, skyShare);
+      if (scene_.lights().looks()) lookOut(askSky && looksOut, at, bsdf, here, choice, skyShare);
       if (daylight.hasSky()) {
         LaneMask asks = askSky && !looksOut;
         const LaneVec2 u = draw2D(asks);

@@ -100,7 +100,7 @@ class LaneWalk {
   void lookOut(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, const LaneReceiver& here,
                const Floats& choice, const Floats& lookShare);
   void askLamps(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, const LaneReceiver& here,
-                const Floats& choice, const Floats& localShare);
+                const Floats& choice, const Floats& localShare, LaneMask byLooks);
   LaneMask judge(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, LaneMask& ended);
   LaneMask takeFromCache(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf);
 

@@ -55,17 +55,18 @@ Mask<F> OutlookT<F>::sample(F choice, const Vec2T<F>& u, Vec3T<F>& direction, F&
 
 template <class F>
 F OutlookT<F>::pdf(const Vec3T<F>& direction) const {
-  return (1.0f - patchShare_) * daylight_.pdfSky(at_, direction) +
-         only(patchShare_ > 0.0f, patchShare_ * patches_.pdf(direction));
+  const F patches = only(patchShare_ > 0.0f, patchShare_ * patches_.pdf(direction));
+  return daylight_.hasSky() ? (1.0f - patchShare_) * daylight_.pdfSky(at_, direction) + patches : patches;
 }
 
 template class OutlookT<float>;
 template class OutlookT<Floats>;
 
 Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, const LaneVec& direction,
-          const LaneVec2& u, Ints& rays) {
+          const LookDraws& draws, Ints& rays) {
   const Daylight& daylight = scene.lights().daylight();
-  Seen seen{spread<Floats>({}), spread<Floats>({})};
+  const SunPatches& patches = scene.lights().sunPatches();
+  Seen seen{spread<Floats>({}), spread<Floats>({}), spread<Floats>({})};
   LaneVec through = spread<Floats>({1, 1, 1});
   LaneRays ray{origin, direction};
   for (int sheet = 0; sheet <= kMostVeils && any(active); ++sheet) {
@@ -83,7 +84,7 @@ Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, co
     const BsdfT<Floats> bsdf(at.shading, -direction);
     LightSampleT<Floats> sun;
     const LaneReceiver here{at.position, at.shading.ng, bsdf.seesBehind()};
-    LaneMask lit = active && bsdf.scatters() && daylight.sampleSun(here, u, sun);
+    LaneMask lit = active && bsdf.scatters() && daylight.sampleSun(here, draws.sun, sun);
     if (any(lit)) {
       const LaneVec value =
           bsdf.eval(sun.wi).value * sun.weight * through * Floats(at.opacity * at.terminatorFor(sun.wi));
@@ -91,6 +92,24 @@ Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, co
       if (any(lit)) {
         rays = select(lit, rays + 1, rays);
         seen.sun += only(lit, value * scene.transmittance(lit, {at.originTowards(sun.wi), sun.wi}));
+      }
+    }
+    if (patches.hasLamps()) {
+      LightSampleT<Floats> light;
+      LaneMask near = active && bsdf.scatters() && patches.nearLamps(at.position);
+      if (any(near)) near = scene.lights().local().sample(near, here, draws.lampChoice, draws.lamp, light);
+      if (any(near)) {
+        const BsdfValueT<Floats> f = bsdf.eval(light.wi);
+        LaneVec value = f.value * light.weight * through * Floats(at.opacity * at.terminatorFor(light.wi));
+        value *= select(light.pdf > 0.0f, share(light.pdf, f.pdf), Floats(1.0f));
+        near = near && maxComponent(value) > 0.0f;
+        rays = select(near, rays + 1, rays);
+        if (any(near)) {
+          value *= scene.transmittance(
+              near, {at.originTowards(light.wi), light.wi, 0.0f, light.distance * (1 - 5e-5f) - at.offset});
+          seen.lamp = select(near, value, seen.lamp);
+          seen.lampGroup = select(near, light.lightGroup, seen.lampGroup);
+        }
       }
     }
     through *= straightThrough(active, direction, at);

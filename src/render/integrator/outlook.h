@@ -29,13 +29,19 @@ using Outlook = OutlookT<float>;
 extern template class OutlookT<float>;
 extern template class OutlookT<Floats>;
 
-// What looks find, cd/m2: the sky if nothing is in between, and sunlight on the first surface, both weakened
-// by the glass they come through.
+// What looks find, cd/m2: the sky if nothing is in between, and on the first surface sunlight and, inside
+// lamps, one lamp's light, all weakened by the glass they come through.
 struct Seen {
-  LaneVec sky, sun;
+  LaneVec sky, sun, lamp;
+  Ints lampGroup = 0;
+};
+// Random numbers for what looks find.
+struct LookDraws {
+  LaneVec2 sun, lamp;
+  Floats lampChoice;
 };
 // From those lanes that the mask has. Adds the rays that it takes.
 Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, const LaneVec& direction,
-          const LaneVec2& u, Ints& rays);
+          const LookDraws& draws, Ints& rays);
 
 }  // namespace idap::render

@@ -5,6 +5,7 @@
 #include "render/sampling/sampler.h"
 #include "render/sampling/warp.h"
 #include "render/scene_parts.h"
+#include "render/session/render_job.h"
 
 namespace idap::render {
 namespace {
@@ -69,7 +70,8 @@ SeenOnce lookOnce(const CompiledScene& scene, Vec3f origin, Vec3f direction, Vec
   LaneMask one(false);
   one[0] = true;
   Ints counted = 0;
-  const Seen seen = look(scene, one, toLanes(origin), toLanes(direction), {u.x, u.y}, counted);
+  const LookDraws draws{{u.x, u.y}, {u.x, u.y}, 0.5f};
+  const Seen seen = look(scene, one, toLanes(origin), toLanes(direction), draws, counted);
   rays += lane(counted, 0);
   return {lane(seen.sky, 0), lane(seen.sun, 0)};
 }
@@ -89,6 +91,55 @@ TEST(Outlook, ALookSeesTheSunOnTheFloorAndTheSkyThroughGlass) {
     EXPECT_NEAR(luminance(out.sky), 3000 * (glazed ? 0.92f : 1.0f), 60);
     EXPECT_GE(rays, 4);
   }
+}
+
+// A wall lamp: a box open at the top, 30 cm wide, with a bulb at its bottom, in a closed room.
+SceneMaker uplight() {
+  SceneMaker make;
+  make.add(boxMesh({0, 0, 0}, {4, 3, 2.5f}, true), lambert(grey(0.6f)));
+  const auto side = [&](Vec3f corner, Vec3f u, Vec3f v) {
+    make.add(parallelogram(corner, u, v), lambert(grey(0.7f)));
+  };
+  const Vec3f x{0.3f, 0, 0}, y{0, 0.3f, 0}, z{0, 0, 0.14f};
+  const Vec3f a{1.85f, 0.2f, 1.5f};
+  side(a, x, y);
+  side(a, x, z);
+  side(a + y, x, z);
+  side(a, y, z);
+  side(a + x, y, z);
+  make.scene().lamps.push_back({.position = {2, 0.35f, 1.56f}, .radius = 0.03f, .intensity = grey(80)});
+  return make;
+}
+
+TEST(Outlook, LooksIntoLampsFindTheSameLightWithLessNoise) {
+  const auto scene = uplight().compile();
+  ASSERT_TRUE(scene->lights().sunPatches().hasLamps());
+  Camera camera;
+  camera.eye = {0.4f, 2.7f, 1.2f};
+  camera.forward = normalized(Vec3f{1, -0.9f, 0});
+  RenderSettings settings{.width = 24, .height = 16, .spp = 16384, .looks = false};
+  Film truth(24, 16), plain(24, 16), looking(24, 16);
+  render(*scene, camera, settings, truth);
+  settings.spp = 2048;
+  settings.seed = 7;
+  render(*scene, camera, settings, plain);
+  settings.looks = true;
+  render(*scene, camera, settings, looking);
+  double mean = 0, meanLooking = 0, noise = 0, noiseLooking = 0;
+  for (std::size_t i = 0; i < truth.pixels(); ++i) {
+    const auto at = [&](const Film& f) { return static_cast<double>(luminance(f.meanColor(i))); };
+    mean += at(truth), meanLooking += at(looking);
+    noise += std::pow(at(plain) / at(truth) - 1, 2), noiseLooking += std::pow(at(looking) / at(truth) - 1, 2);
+  }
+  EXPECT_NEAR(meanLooking / mean, 1, 0.015);
+  EXPECT_LT(noiseLooking, 0.6 * noise);
+}
+
+TEST(Outlook, LampsAreLookedAtAfterDarkOnly) {
+  SceneMaker make = uplight();
+  make.scene().sky = {8, 4, std::vector<Rgb>(32, grey(3000))};
+  make.scene().portals.push_back({{4, 0, 1}, {0, 3, 0}, {0, 0, 1}});
+  EXPECT_FALSE(make.compile()->lights().sunPatches().hasLamps());
 }
 
 }  // namespace
