@@ -77,6 +77,17 @@ void SunPatches::addSun(const CompiledScene& scene) {
 void SunPatches::addLamps(const CompiledScene& scene) {
   const std::vector<Lamp>& lamps = scene.scene().lamps;
   if (lamps.empty() || lamps.size() > kMostLamps) return;
+  float daylight = total_;
+  const Sky& sky = scene.scene().sky;
+  double radiance = 0;
+  for (const Rgb c : sky.radiance) radiance += static_cast<double>(luminance(c));
+  if (!sky.radiance.empty()) radiance /= static_cast<double>(sky.radiance.size());
+  for (const Portal& p : scene.scene().portals)
+    daylight += length(cross(p.edgeU, p.edgeV)) * kPiF * static_cast<float>(radiance);
+  float most = 0;
+  for (const Lamp& lamp : lamps) most += luminance(lampFlux(lamp));
+  if (!(daylight < kDaylight * most)) return;
+
   std::vector<Spot> spots;
   float inside = 0, total = 0;
   for (const Lamp& lamp : lamps) {
@@ -105,13 +116,6 @@ void SunPatches::addLamps(const CompiledScene& scene) {
     inside += flux;
   }
   if (!(inside > kLeastOfAll * total)) return;
-  float daylight = total_;
-  const Sky& sky = scene.scene().sky;
-  double radiance = 0;
-  for (const Rgb c : sky.radiance) radiance += static_cast<double>(luminance(c));
-  if (!sky.radiance.empty()) radiance /= static_cast<double>(sky.radiance.size());
-  for (const Portal& p : scene.scene().portals)
-    daylight += length(cross(p.edgeU, p.edgeV)) * kPiF * static_cast<float>(radiance);
   if (!(daylight < kDaylight * inside)) return;
   cluster(spots, kMost / 2, kSmallestOfLamps, kLampMargin);
 }
