@@ -151,8 +151,9 @@ int renderPicture(const Options& options) {
   options.look.apply(settings);
   const render::Camera view = options.look.camera(toRenderCamera(camera, built, aspect), scene);
   if (!classic) settings.clampIndirect = render::clampFor(render::pilotExposure(scene, view, settings));
-  if (!options.quick && !classic) settings.guide = render::fillGuide(scene, view, settings, progress);
-  if (options.quick && !classic) {
+  if (!classic && !options.quick) {
+    settings.guide = render::fillGuide(scene, view, settings, progress);
+  } else if (!classic) {
     // Learning takes about a sixth of the time.
     const double paths = options.time > 0 ? 50'000 * options.time : 0.15 * settings.spp * width * height;
     settings.cache =

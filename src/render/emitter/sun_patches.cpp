@@ -104,7 +104,8 @@ void SunPatches::addLamps(const CompiledScene& scene) {
       if (!scene.intersect(ray, hit, kSeenByLight)) continue;
       const Interaction at = scene.interaction(ray, hit);
       const SurfaceValues values = valuesAt(*at.surface, at.uv);
-      const float through = luminance(straightTransmittance(*at.surface, values, std::fabs(dot(at.ng, d))));
+      const float cosine = std::min(std::fabs(dot(at.ng, d)), 1.0f);
+      const float through = luminance(straightTransmittance(*at.surface, values, cosine));
       const float off = beam * (1 - through) * luminance(values.baseColor);
       if (!(off > 0)) continue;
       own.push_back({at.position, at.surface->translucency > 0 ? Vec3f{} : at.ng, off});

@@ -29,16 +29,25 @@ void writeScene(const Home& home, const std::filesystem::path& file, const Progr
   writeFileAtomically(file, writeGlb(*built.scene, cameras, built.centre));
 }
 
+// Asks where to write. suffix: without the dot; suggested: a name without it.
+QFileDialog* saveDialog(QWidget* window, const QString& title, const QString& kind, const QString& suffix,
+                        const QString& folder, const QString& suggested) {
+  const QString extension = QStringLiteral(".") + suffix;
+  auto* dialog =
+      new QFileDialog(window, title, folder, kind + QStringLiteral(" (*") + extension + QStringLiteral(")"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffix);
+  dialog->selectFile(suggested + extension);
+  return dialog;
+}
+
 }  // namespace
 
 void MainWindow::Impl::exportFurniture() {
-  auto* dialog = new QFileDialog(w, MainWindow::tr("Export own furniture"), preferences.lastFolder(),
-                                 MainWindow::tr("Furniture libraries") + QStringLiteral(" (*.sh3f)"));
+  auto* dialog = saveDialog(w, MainWindow::tr("Export own furniture"), MainWindow::tr("Furniture libraries"),
+                            QStringLiteral("sh3f"), preferences.lastFolder(), MainWindow::tr("My furniture"));
   dialog->setObjectName(QStringLiteral("furnitureFileDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("sh3f"));
-  dialog->selectFile(MainWindow::tr("My furniture") + QStringLiteral(".sh3f"));
   QObject::connect(dialog, &QFileDialog::fileSelected, w, [this](const QString& file) {
     try {
       const OwnLibrary library;
@@ -54,13 +63,9 @@ void MainWindow::Impl::exportFurniture() {
 }
 
 void MainWindow::Impl::exportCsv() {
-  auto* dialog = new QFileDialog(w, MainWindow::tr("Export the furniture list"), preferences.lastFolder(),
-                                 MainWindow::tr("Tables") + QStringLiteral(" (*.csv)"));
+  auto* dialog = saveDialog(w, MainWindow::tr("Export the furniture list"), MainWindow::tr("Tables"),
+                            QStringLiteral("csv"), preferences.lastFolder(), files->title());
   dialog->setObjectName(QStringLiteral("csvDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("csv"));
-  dialog->selectFile(files->title() + QStringLiteral(".csv"));
   QObject::connect(dialog, &QFileDialog::fileSelected, w, [this](const QString& file) {
     const std::string csv = furniture->csv();
     try {
@@ -75,13 +80,9 @@ void MainWindow::Impl::exportCsv() {
 }
 
 void MainWindow::Impl::exportScene() {
-  auto* dialog = new QFileDialog(w, MainWindow::tr("Export in three dimensions"), preferences.lastFolder(),
-                                 MainWindow::tr("Scenes") + QStringLiteral(" (*.glb)"));
+  auto* dialog = saveDialog(w, MainWindow::tr("Export in three dimensions"), MainWindow::tr("Scenes"),
+                            QStringLiteral("glb"), preferences.lastFolder(), files->title());
   dialog->setObjectName(QStringLiteral("sceneDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("glb"));
-  dialog->selectFile(files->title() + QStringLiteral(".glb"));
   QObject::connect(dialog, &QFileDialog::fileSelected, w, [this](const QString& chosen) {
     auto* job = new BackgroundJob(
         MainWindow::tr("Exporting %1").arg(QFileInfo(chosen).fileName()),
