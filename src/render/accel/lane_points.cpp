@@ -64,8 +64,11 @@ void fetch(Fetched& f, int k, const HitInstance& data, const SurfaceData& surfac
 void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<SurfaceData>& surfaces,
                  LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points) {
   using namespace lane_math;
-  Fetched f{};  // idle lanes work on zeroes, in a medium that is one
-  f.ior = Floats(1.0f);
+  Fetched f;
+  if (!every(active)) {
+    f = {};  // idle lanes work on zeroes, in a medium that is one
+    f.ior = Floats(1.0f);
+  }
   forLanes(active, [&](int k) {
     const Hit& hit = hits.hit[k];
     const HitInstance& data = instances[hit.instance];

@@ -11,14 +11,16 @@
 #include <vector>
 
 #include "light/rgb.h"
+#include "render/lanes/lanes.h"
 
 namespace idap::render {
 
 // What one path found out at one of the surfaces it met.
 struct CacheRecord {
-  Vec3f position;        // m
-  std::uint32_t facing;  // LightCache::facing() of the normal
-  Rgb irradiance;        // lux, an estimate: of all light but what comes straight from the sun
+  Vec3f position;                  // m
+  std::uint32_t facing;            // LightCache::facing() of the normal
+  Rgb irradiance;                  // lux, an estimate: of all light but what comes straight from the sun
+  std::array<float, 3> squares{};  // lux2, of what asking each LightSource found
 };
 
 class LightCache {
@@ -28,13 +30,25 @@ class LightCache {
   explicit LightCache(std::vector<CacheRecord>& records);
 
   struct Neighbourhood {
-    float size = 0.0f;       // m, its longest side
-    Rgb irradiance{};        // lux, mean
-    float deviation = 0.0f;  // lux, standard, of the luminance of single paths' estimates
+    float size = 0.0f;             // m, its longest side
+    Rgb irradiance{};              // lux, mean
+    float lux = 0.0f;              // its luminance
+    float deviation = 0.0f;        // lux, standard, of the luminance of single paths' estimates
+    std::array<float, 3> asked{};  // lux, root mean squares of what asking each LightSource found
     bool known = false;
   };
   // Null where too little is known.
   const Neighbourhood* at(Vec3f position, Vec3f normal) const;
+  // The same, one a lane; of lanes that the mask has not, anything. f(lane, neighbourhood) where it is known.
+  template <class Function>
+  void visit(LaneMask lanes, const LaneVec& position, const LaneVec& normal, Function&& f) const {
+    if (empty()) return;
+    const Ints found = find(position, normal);
+    forLanes(lanes, [&](int k) {
+      const Neighbourhood& n = neighbourhoods_[static_cast<std::size_t>(lane(found, k))];
+      if (n.known) f(k, n);
+    });
+  }
   bool empty() const { return neighbourhoods_.empty(); }
 
   // Which of six ways a surface mainly faces.
@@ -46,11 +60,11 @@ class LightCache {
     std::uint32_t axis = 0;      // that it is divided across; of a leaf the index of its neighbourhood
     float middle = 0.0f;
   };
-  using Cells = std::vector<Cell>;  // a kd-tree; the root first
-  void divide(Cells& cells, std::size_t index, std::span<CacheRecord> records);
+  void divide(std::size_t index, std::span<CacheRecord> records);
+  Ints find(const LaneVec& position, const LaneVec& normal) const;  // neighbourhoods
 
-  std::size_t most_ = 0;        // records of a neighbourhood that is not divided
-  std::array<Cells, 6> cells_;  // by facing
+  std::size_t most_ = 0;     // records of a neighbourhood that is not divided
+  std::vector<Cell> cells_;  // six kd-trees, by facing; their roots first
   std::vector<Neighbourhood> neighbourhoods_;
 };
 

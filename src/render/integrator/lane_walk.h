@@ -1,22 +1,11 @@
 // One step of many paths side by side: from one surface to the next. See PathTracer.
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "render/emitter/light_sample.h"
-#include "render/integrator/path.h"
+#include "render/integrator/direct_light.h"
 
 namespace idap::render {
 
-// A point whose light is not known yet.
-struct Lesson {
-  Vec3f position, normal;
-  Rgb before;  // what the path had gathered
-  Rgb scale;   // what it gathers from here on, of one lux there
-};
-
-// Where paths are. Numbers of four bytes only, so that paths can be gathered into lanes word by word.
+// Where paths are. Numbers of four bytes only, so that lanes can be moved word by word.
 // F: float for a path by itself, Floats for lanes.
 template <class F>
 struct WalkState {
@@ -32,9 +21,13 @@ struct WalkState {
   SamplerT<F> sampler;
   Int<F> flags;  // WalkFlag
   Int<F> bounces, segments, rays;
+  Int<F> path;  // its number in the batch
 };
-inline constexpr std::size_t kWalkWords = sizeof(WalkState<float>) / sizeof(float);
-static_assert(sizeof(WalkState<Floats>) == kWalkWords * sizeof(Floats));
+
+// Roulette: bounces that are always followed where the guide does not know the surface, and the likelihood
+// that no path goes beyond after them.
+inline constexpr int kRouletteWithGuide = 8;
+inline constexpr float kMostSurvival = 0.98f;
 
 enum WalkFlag : std::int32_t {
   kFromBothSides = 1,  // of the receiver there
@@ -42,38 +35,32 @@ enum WalkFlag : std::int32_t {
   kSharp = 4,          // camera or delta lobe: no light sampling could have found the same
   kFeaturesKnown = 8,
   kDepthKnown = 16,
-  // At the next surface, rather than the sky; decided beforehand, so that those who do can go together.
-  kAsksLamps = 32,
 };
 
-WalkState<float> beginWalk(const PathStart& start);
-
-// The paths of one call, by number.
-struct WalkBatch {
-  std::span<PathSample> samples;
-  std::span<Rgb> groups;
-  std::size_t groupCount = 0;
-  std::span<std::vector<Lesson>> lessons;  // empty: nothing is to be learned
-};
+WalkState<float> beginWalk(const PathStart& start, int path);
 
 class LaneWalk {
  public:
   LaneWalk(const CompiledScene& scene, const PathOptions& options, WalkBatch& batch)
-      : scene_(scene), options_(options), batch_(batch) {}
+      : scene_(scene),
+        options_(options),
+        guide_(options.guide ? options.guide : options.cache),
+        batch_(batch),
+        direct_(scene, options, batch) {}
 
-  // Where the lanes' paths are, and their numbers in the batch. Lanes at rest may be anywhere.
+  // Where the lanes' paths are. Lanes at rest may be anywhere.
   WalkState<Floats> state;
-  int path[kLanes];
 
   // Follows the rays to the next surfaces and chooses where they go on from there. The lanes that do go on.
   LaneMask step(LaneMask active);
-  // Lanes that will do the same at the next surface.
-  LaneMask askingLamps() const { return has(kAsksLamps); }
 
-  // Adds the light that reaches the points directly and chooses where the paths go on. The lanes that do.
+  // Asks for the light that reaches the points directly and chooses where the paths go on. The lanes that do.
   LaneMask scatter(LaneMask active, const LanePoints& at);
+  // Adds the light that has been asked for since the last time.
+  void answer() { direct_.answer(); }
 
  private:
+  int pathOf(int k) const { return lane(state.path, k); }
   bool has(WalkFlag flag, int k) const { return (lane(state.flags, k) & flag) != 0; }
   LaneMask has(WalkFlag flag) const { return toMask((state.flags & Ints(flag)) != 0); }
   void set(LaneMask lanes, WalkFlag flag) {
@@ -87,26 +74,33 @@ class LaneWalk {
     return {lane(state.fromPosition, k), lane(state.fromNormal, k), has(kFromBothSides, k)};
   }
   LaneReceiver receiver() const { return {state.fromPosition, state.fromNormal, has(kFromBothSides)}; }
-  Floats clamped(const LaneVec& light, LaneMask indirect) const;
   void add(LaneMask lanes, const LaneVec& light, const Ints& group);
   // Light that a ray has met by itself.
   void addMet(int k, Rgb light, std::uint16_t group);
-  void addSky(LaneMask lanes);
   void addLamps(LaneMask lanes, const LaneHits& hits);
   void addEmission(LaneMask lanes, const LaneHits& hits, const LanePoints& at);
   void noteFeatures(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf);
-  void connect(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf,
-               const LightSampleT<Floats>& light, LaneMask byLooks);
-  void lookOut(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, const LaneReceiver& here,
-               const Floats& choice, const Floats& lookShare);
-  void askLamps(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, const LaneReceiver& here,
-                const Floats& choice, const Floats& localShare, LaneMask byLooks);
-  LaneMask judge(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf, LaneMask& ended);
+  // What the guide says of the lanes' points.
+  struct Guided {
+    LaneMask known{false};
+    Floats lux = 0.0f;
+    Floats carries = 0.0f;  // cd/m2 of the picture, of one lux here
+    Floats asked[kLightSources];
+  };
+  Guided askGuide(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf);
+  LaneMask judge(LaneMask lanes, Guided& guided);
+  Floats rate(const Guided& guided, LightSource source) const;
+  Ask askAlong() const;
+  Ask askAt(const LanePoints& at, const LaneReceiver& here) const;
+  // The lanes that learn at this point.
+  LaneMask learn(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf);
   LaneMask takeFromCache(LaneMask lanes, const LanePoints& at, const BsdfT<Floats>& bsdf);
 
   const CompiledScene& scene_;
   const PathOptions& options_;
+  const LightCache* guide_;
   WalkBatch& batch_;
+  DirectLight direct_;
 };
 
 }  // namespace idap::render

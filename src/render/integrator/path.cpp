@@ -10,73 +10,58 @@ namespace idap::render {
 
 namespace {
 
-// The states of a batch's paths, word by word behind one another, with room for the lanes at rest.
-class WalkPool {
- public:
-  explicit WalkPool(std::size_t count) : words_((count + kLanes) * kWalkWords) {}
+using WalkQueue = LaneQueue<WalkState<Floats>>;
 
-  void put(std::size_t i, const WalkState<float>& state) {
-    std::memcpy(words_.data() + i * kWalkWords, static_cast<const void*>(&state), sizeof(state));
+// Lanes are filled one by one.
+class WalkMaker {
+ public:
+  explicit WalkMaker(WalkQueue& queue) : queue_(queue) {}
+  ~WalkMaker() { flush(); }
+  void put(const WalkState<float>& state) {
+    const auto* words = reinterpret_cast<const char*>(&state);
+    for (std::size_t w = 0; w < WalkQueue::kWords; ++w)
+      std::memcpy(&words_[w][held_], words + w * sizeof(float), sizeof(float));
+    ++count_;
+    if (++held_ == kLanes) flush();
   }
-  WalkState<float> get(std::size_t i) const {
-    WalkState<float> state;
-    std::memcpy(static_cast<void*>(&state), words_.data() + i * kWalkWords, sizeof(state));
-    return state;
-  }
-  void load(const Ints& paths, WalkState<Floats>& state) const {
-    Floats lanes[kWalkWords];
-    const Ints first = paths * static_cast<std::int32_t>(kWalkWords);
-    for (std::size_t w = 0; w < kWalkWords; ++w) lanes[w] = gather(words_.data() + w, first);
-    std::memcpy(static_cast<void*>(&state), static_cast<const void*>(lanes), sizeof(state));
-  }
-  void store(const Ints& paths, const WalkState<Floats>& state) {
-    float lanes[kWalkWords][kLanes];
-    std::memcpy(static_cast<void*>(lanes), static_cast<const void*>(&state), sizeof(state));
-    for (int k = 0; k < kLanes; ++k) {
-      float* words = words_.data() + static_cast<std::size_t>(lane(paths, k)) * kWalkWords;
-      for (std::size_t w = 0; w < kWalkWords; ++w) words[w] = lanes[w][k];
-    }
-  }
+  int count() const { return count_; }
 
  private:
-  std::vector<float> words_;
+  void flush() {
+    WalkState<Floats> lanes;
+    std::memcpy(static_cast<void*>(&lanes), static_cast<const void*>(words_), sizeof(lanes));
+    queue_.push(toMask(Ints([](int k) { return k; }) < held_), lanes);
+    held_ = 0;
+  }
+  WalkQueue& queue_;
+  LaneArray words_[WalkQueue::kWords];
+  int held_ = 0, count_ = 0;
 };
 
 // Room for all the random numbers of a step, so that those of the next do not depend on which were drawn.
-constexpr std::uint32_t kDrawsAStep = 16;
+constexpr std::uint32_t kDrawsAStep = 24;
 
 // Follows the paths to their ends. begin: what happens to the lanes first, instead of a step.
 template <class Begin>
-void follow(WalkPool& pool, LaneWalk& walk, const WalkBatch& batch, Begin&& begin) {
-  const std::size_t count = batch.samples.size();
-  std::vector<std::int32_t> alive(count), next, toLamps;
-  for (std::size_t i = 0; i < count; ++i) alive[i] = static_cast<std::int32_t>(i);
-  for (bool first = true; !alive.empty(); first = false) {
+void follow(WalkQueue& paths, LaneWalk& walk, Begin&& begin) {
+  WalkQueue next;
+  for (bool first = true; !paths.empty(); first = false) {
     next.clear();
-    toLamps.clear();
-    for (std::size_t from = 0; from < alive.size(); from += kLanes) {
-      const std::size_t some = std::min(alive.size() - from, static_cast<std::size_t>(kLanes));
-      for (std::size_t k = 0; k < kLanes; ++k)
-        walk.path[k] = k < some ? alive[from + k] : static_cast<std::int32_t>(count + k);
-      const Ints paths(walk.path, simd::element_aligned);
-      pool.load(paths, walk.state);
-      const LaneMask active = toMask(paths < static_cast<std::int32_t>(count));
-      const Words dimension = walk.state.sampler.dimension;
+    paths.visit([&](LaneMask active, const WalkState<Floats>& state) {
+      walk.state = state;
       const LaneMask goesOn = first ? begin(walk, active) : walk.step(active);
-      walk.state.sampler.dimension = dimension + kDrawsAStep;
-      pool.store(paths, walk.state);
-      const LaneMask lamps = walk.askingLamps();
-      forLanes(goesOn, [&](int k) { (lane(lamps, k) ? toLamps : next).push_back(walk.path[k]); });
-    }
-    // Those that will ask the same go together.
-    next.insert(next.end(), toLamps.begin(), toLamps.end());
-    alive.swap(next);
+      walk.state.sampler.dimension = state.sampler.dimension + kDrawsAStep;
+      if (any(goesOn)) next.push(goesOn, walk.state);
+    });
+    walk.answer();
+    std::swap(paths, next);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const WalkState<float> end = pool.get(i);
-    batch.samples[i].radiance = end.radiance;
-    batch.samples[i].rays = static_cast<std::uint32_t>(end.rays);
-  }
+}
+
+WalkQueue begun(std::span<const PathStart> starts) {
+  WalkQueue paths;
+  for (WalkMaker make(paths); const PathStart& start : starts) make.put(beginWalk(start, make.count()));
+  return paths;
 }
 
 LaneMask oneStep(LaneWalk& walk, LaneMask active) { return walk.step(active); }
@@ -86,41 +71,39 @@ LaneMask oneStep(LaneWalk& walk, LaneMask active) { return walk.step(active); }
 void PathTracer::trace(std::span<const PathStart> starts, std::span<PathSample> samples,
                        std::span<Rgb> groups) const {
   if (starts.empty()) return;
-  WalkPool pool(starts.size());
-  for (std::size_t i = 0; i < starts.size(); ++i) pool.put(i, beginWalk(starts[i]));
+  WalkQueue paths = begun(starts);
   samples = samples.first(starts.size());
   std::ranges::fill(samples, PathSample{});
   WalkBatch batch{samples, groups, groups.size() / starts.size(), {}};
   LaneWalk walk(scene_, options_, batch);
-  follow(pool, walk, batch, oneStep);
+  follow(paths, walk, oneStep);
 }
 
 void PathTracer::learn(std::span<const PathStart> starts, std::vector<CacheRecord>& records) const {
-  WalkPool pool(starts.size());
-  for (std::size_t i = 0; i < starts.size(); ++i) pool.put(i, beginWalk(starts[i]));
+  WalkQueue paths = begun(starts);
   std::vector<PathSample> samples(starts.size());
   std::vector<std::vector<Lesson>> lessons(starts.size());
   WalkBatch batch{samples, {}, 0, lessons};
   LaneWalk walk(scene_, options_, batch);
-  follow(pool, walk, batch, oneStep);
+  follow(paths, walk, oneStep);
   for (std::size_t i = 0; i < starts.size(); ++i)
     for (const Lesson& l : lessons[i]) {
       Rgb irradiance{};
       for (int k = 0; k < 3; ++k)
         if (l.scale[k] > 0) irradiance[k] = (samples[i].radiance[k] - l.before[k]) / l.scale[k];
       if (std::isfinite(maxComponent(irradiance)))
-        records.push_back({l.position, LightCache::facing(l.normal), irradiance});
+        records.push_back({l.position, LightCache::facing(l.normal), irradiance, l.squares});
     }
 }
 
 void PathTracer::illuminance(Vec3f point, Vec3f normal, std::span<const Sampler> samplers,
                              std::span<Rgb> lux) const {
   // A white Lambertian surface sends out the illuminance it receives over pi.
-  WalkPool pool(samplers.size());
-  for (std::size_t i = 0; i < samplers.size(); ++i) {
-    WalkState<float> state = beginWalk({{point, -normal}, samplers[i]});
+  WalkQueue paths;
+  for (WalkMaker make(paths); const Sampler& sampler : samplers) {
+    WalkState<float> state = beginWalk({{point, -normal}, sampler}, make.count());
     state.flags |= kFeaturesKnown | kDepthKnown;
-    pool.put(i, state);
+    make.put(state);
   }
   LanePoints at;
   at.position = toLanes(point);
@@ -134,7 +117,7 @@ void PathTracer::illuminance(Vec3f point, Vec3f normal, std::span<const Sampler>
   std::vector<PathSample> samples(samplers.size());
   WalkBatch batch{samples, {}, 0, {}};
   LaneWalk walk(scene_, options_, batch);
-  follow(pool, walk, batch, [&](LaneWalk& lanes, LaneMask active) { return lanes.scatter(active, at); });
+  follow(paths, walk, [&](LaneWalk& lanes, LaneMask active) { return lanes.scatter(active, at); });
   for (std::size_t i = 0; i < samplers.size(); ++i) lux[i] = samples[i].radiance * kPiF;
 }
 

@@ -24,8 +24,9 @@ struct PathOptions {
   // Where light that has bounced before is taken from; null: paths are followed to their end. Its light
   // counts to group 0.
   const LightCache* cache = nullptr;
-  // What light is to be expected where, for roulette to end the paths that would bring little. The mean is
-  // right whatever it says. Null: roulette goes by what a path carries alone.
+  // What light is to be expected where: roulette ends the paths that would bring little, and lights that
+  // would bring little are seldom asked. The mean is right whatever it says. Null: the cache, where there is
+  // one; else roulette goes by what a path carries alone.
   const LightCache* guide = nullptr;
 };
 

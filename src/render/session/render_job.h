@@ -15,7 +15,7 @@ namespace idap::render {
 class LightCache;
 
 // Of the random numbers and of how paths use them. Pictures begun with another one cannot be gone on with.
-inline constexpr int kSamplingVersion = 3;
+inline constexpr int kSamplingVersion = 4;
 
 enum class IntegratorKind { Path, Classic };
 

@@ -22,6 +22,27 @@ TEST(LightCache, KnowsTheMeanOfANeighbourhood) {
   EXPECT_NEAR(cache.at({1, 1, 0}, {0.1f, 0, 0.99f})->irradiance.x, 20, 1e-4f);
 }
 
+TEST(LightCache, KnowsWhatAskingEachLightBringsAndFindsItLaneByLane) {
+  std::vector<CacheRecord> records;
+  for (int i = 0; i < 400; ++i) {
+    const float x = static_cast<float>(i % 20), y = static_cast<float>(i / 20);
+    records.push_back({{x, y, 0}, 4, grey(10), {0, i % 4 == 0 ? 1600.0f : 0.0f, 9}});
+  }
+  const LightCache cache(records);
+  LaneVec places = spread<Floats>({3, 4, 0}), normals = spread<Floats>({0, 0, 1});
+  normals.z[1] = -1;  // nothing is known of the other side
+  int found = 0;
+  cache.visit(LaneMask(true), places, normals, [&](int k, const LightCache::Neighbourhood& known) {
+    EXPECT_NE(k, 1);
+    EXPECT_EQ(&known, cache.at({3, 4, 0}, {0, 0, 1}));
+    EXPECT_EQ(known.asked[0], 0.0f);
+    EXPECT_NEAR(known.asked[1], 20, 3);
+    EXPECT_NEAR(known.asked[2], 3, 1e-4f);
+    ++found;
+  });
+  EXPECT_EQ(found, kLanes - 1);
+}
+
 TEST(LightCache, SidesOfAWallAreKeptApart) {
   std::vector<CacheRecord> all = records(100, {0, 1, 1}, {1, 0, 0}, grey(5));
   for (const CacheRecord& r : records(100, {-0.1f, 1, 1}, {-1, 0, 0}, grey(500))) all.push_back(r);
@@ -137,6 +158,29 @@ TEST(Guide, LessNoiseWithFewerRays) {
     noise += std::pow(at(without) / at(truth) - 1, 2), noiseWith += std::pow(at(with) / at(truth) - 1, 2);
   }
   EXPECT_LT(noiseWith * static_cast<double>(guided.rays), 0.9 * noise * static_cast<double>(plain.rays));
+}
+
+// A closed room with a lamp; the sun shines on it from outside.
+TEST(Guide, LightsThatBringNothingAreSeldomAsked) {
+  const auto raysAPath = [](bool sun, bool guided) {
+    SceneMaker make;
+    make.add(boxMesh({0, 0, 0}, {4, 5, 2.5f}, true), lambert(grey(0.5f)));
+    make.scene().lamps.push_back({.position = {2, 2, 2.2f}, .radius = 0.05f, .intensity = grey(100)});
+    if (sun) make.scene().sun = {{0, 0, 1}, grey(50'000)};
+    const auto scene = make.compile();
+    Camera camera;
+    camera.eye = {0.3f, 0.3f, 1.5f};
+    camera.forward = normalized(Vec3f{0.6f, 0.8f, 0});
+    RenderSettings settings{.width = 32, .height = 32, .spp = 16};
+    if (guided) settings.guide = fillGuide(*scene, camera, settings);
+    Film film(32, 32);
+    const RenderStats stats = render(*scene, camera, settings, film);
+    return static_cast<double>(stats.rays) / static_cast<double>(stats.paths);
+  };
+  const double always = raysAPath(true, false) - raysAPath(false, false);
+  const double guided = raysAPath(true, true) - raysAPath(false, true);
+  EXPECT_GT(always, 1);
+  EXPECT_LT(guided, 0.2 * always);
 }
 
 TEST(FillCache, IsTheSameForAnyNumberOfThreads) {

@@ -6,6 +6,7 @@
 #include "render/integrator/camera_ray.h"
 #include "render/integrator/path.h"
 #include "render/scene_parts.h"
+#include "render/session/fill_cache.h"
 #include "render/session/illuminance.h"
 #include "render/session/render_job.h"
 
@@ -67,17 +68,22 @@ std::vector<PathSample> traced(const PathTracer& tracer, int n) {
 
 TEST(Path, WhatAPathBringsDoesNotDependOnItsNeighbours) {
   const auto scene = variedRoom().compile();
-  const PathTracer tracer(*scene);
-  const std::vector<PathStart> paths = starts(200);
-  const std::vector<PathSample> together = traced(tracer, 200);
-  std::vector<PathSample> apart(paths.size());
-  for (std::size_t i = 0; i < paths.size(); i += 7)
-    tracer.trace(std::span(paths).subspan(i, std::min<std::size_t>(7, paths.size() - i)),
-                 std::span(apart).subspan(i));
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    EXPECT_EQ(together[i].radiance, apart[i].radiance) << i;
-    EXPECT_EQ(together[i].albedo, apart[i].albedo) << i;
-    EXPECT_EQ(together[i].rays, apart[i].rays) << i;
+  Camera camera;
+  camera.eye = {0, -1.9f, 1.2f};
+  const auto guide = fillGuide(*scene, camera, {.width = 64, .height = 48});
+  for (const LightCache* told : {static_cast<const LightCache*>(nullptr), guide.get()}) {
+    const PathTracer tracer(*scene, {.guide = told});
+    const std::vector<PathStart> paths = starts(200);
+    const std::vector<PathSample> together = traced(tracer, 200);
+    std::vector<PathSample> apart(paths.size());
+    for (std::size_t i = 0; i < paths.size(); i += 7)
+      tracer.trace(std::span(paths).subspan(i, std::min<std::size_t>(7, paths.size() - i)),
+                   std::span(apart).subspan(i));
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      EXPECT_EQ(together[i].radiance, apart[i].radiance) << i;
+      EXPECT_EQ(together[i].albedo, apart[i].albedo) << i;
+      EXPECT_EQ(together[i].rays, apart[i].rays) << i;
+    }
   }
 }
 
