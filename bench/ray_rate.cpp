@@ -19,6 +19,7 @@
 #include "formats/registry.h"
 #include "render/accel/compiled_scene.h"
 #include "render/accel/embree_ray.h"
+#include "render/session/fill_cache.h"
 #include "render/session/render_job.h"
 #include "scene/scene_builder.h"
 
@@ -187,6 +188,7 @@ void measure(const char* name, const std::shared_ptr<const Scene>& scene, const 
               static_cast<double>(build.embreeBytes) / 1e6);
 
   RenderSettings settings{.width = 200, .height = 150, .spp = spp, .threads = 1};
+  settings.guide = fillGuide(compiled, camera, settings);  // as pictures have it; not counted
   std::vector<LoggedRay> log;
   {
     Film film(settings.width, settings.height);

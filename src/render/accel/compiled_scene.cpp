@@ -39,6 +39,7 @@ void CompiledScene::Accel::place(std::uint32_t i, const Transformf& t) {
   if (t.determinant() < 0) {
     auto& n = data.normalToWorld;
     n.x = -n.x, n.y = -n.y, n.z = -n.z;
+    data.mirrored = -1;
   }
   data.translation = std::max({std::fabs(t.origin.x), std::fabs(t.origin.y), std::fabs(t.origin.z)});
   if (!geometries[i]) return;
@@ -166,7 +167,8 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
         if (a.flat) {
           a.inOneLevel[i] = usable(instance.transform);
           if (a.inOneLevel[i])
-            accel.attachTo(device, a.top.get(), instance.transform, 2 * i, mask, kSieveFilters);
+            data.worldPositions =
+                accel.attachTo(device, a.top.get(), instance.transform, 2 * i, mask, kSieveFilters);
         } else {
           geometry.reset(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
           rtcSetGeometryInstancedScene(geometry.get(), accel.scene());

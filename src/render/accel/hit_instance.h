@@ -13,6 +13,7 @@ namespace idap::render {
 
 struct HitInstance {
   const Vec3f* positions = nullptr;
+  const Vec3f* worldPositions = nullptr;  // in scenes of one level; null in others
   const Vec3f* normals = nullptr;
   const Vec2f* uvs = nullptr;
   const std::array<std::uint32_t, 3>* triangles = nullptr;
@@ -21,6 +22,7 @@ struct HitInstance {
   const std::uint32_t* triangleMap[2] = {};
   Transformf toWorld;
   Transformf normalToWorld;  // cofactor matrix, signed so that fronts stay fronts in a mirror
+  float mirrored = 1.0f;     // -1 where it is negative
   float translation = 0.0f;  // the largest coordinate of the transform's origin
   std::uint32_t objectId = 0;
   std::uint16_t lightGroup = 0;

@@ -10,18 +10,22 @@ namespace idap::render {
 Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, const Ray& ray,
                           const Hit& hit) {
   const auto& c = data.triangles[hit.triangle];
-  const Vec3f a = data.positions[c[0]], b = data.positions[c[1]], d = data.positions[c[2]];
+  const Vec3f* positions = data.worldPositions ? data.worldPositions : data.positions;
+  const Vec3f a = positions[c[0]], b = positions[c[1]], d = positions[c[2]];
+  const auto toWorld = [&](Vec3f v) { return data.worldPositions ? v : data.toWorld.vector(v); };
 
   Interaction s;
   s.surfaceIndex = data.surfaceOf(hit.triangle);
   s.surface = &surfaces[s.surfaceIndex];
   s.objectId = data.objectId;
   s.lightGroup = data.lightGroup;
-  s.position = data.toWorld.point(interpolate(a, b, d, hit.u, hit.v));
+  s.position = interpolate(a, b, d, hit.u, hit.v);
+  if (!data.worldPositions) s.position = data.toWorld.point(s.position);
   const float size = std::max({std::fabs(s.position.x), std::fabs(s.position.y), std::fabs(s.position.z)});
   s.offset = kOffsetUlps * std::max(size + data.translation, 0.1f);
 
-  Vec3f ng = data.normalToWorld.vector(cross(b - a, d - a));
+  Vec3f ng = cross(b - a, d - a);
+  ng = data.worldPositions ? ng * data.mirrored : data.normalToWorld.vector(ng);
   const float l2 = dot(ng, ng);
   ng = l2 > 0 && std::isfinite(l2) ? ng * (1 / std::sqrt(l2)) : -ray.direction;
   s.frontFace = dot(ng, ray.direction) <= 0;
@@ -43,7 +47,7 @@ Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, 
     const Vec2f u1 = s.surface->mapUv(data.uvs[c[1]]) - s.surface->mapUv(data.uvs[c[0]]);
     const Vec2f u2 = s.surface->mapUv(data.uvs[c[2]]) - s.surface->mapUv(data.uvs[c[0]]);
     const float det = cross(u1, u2);
-    const Vec3f e1 = data.toWorld.vector(b - a), e2 = data.toWorld.vector(d - a);
+    const Vec3f e1 = toWorld(b - a), e2 = toWorld(d - a);
     Vec3f tangent = (e1 * u2.y - e2 * u1.y) * (det < 0 ? -1.0f : 1.0f);
     tangent = tangent - s.ns * dot(s.ns, tangent);
     const float t2 = dot(tangent, tangent);

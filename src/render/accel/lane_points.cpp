@@ -24,25 +24,29 @@ struct Fetched {
   Corners positions, normals;
   LaneTransform toWorld, normalToWorld;
   LaneArray3 origin, baseColor;
-  LaneArray u, v, translation, smooth;
+  LaneArray u, v, translation, smooth, mirrored;
   LaneArray roughness, opacity, metalness, ior, f0, f90, transmission, translucency;
   LaneArray thin, emits, mayPass, mapped;
 };
 
 void fetch(Fetched& f, int k, const HitInstance& data, const SurfaceData& surface, const Hit& hit) {
   const auto& c = data.triangles[hit.triangle];
-  f.positions.a.set(k, data.positions[c[0]]);
-  f.positions.b.set(k, data.positions[c[1]]);
-  f.positions.c.set(k, data.positions[c[2]]);
+  const Vec3f* positions = data.worldPositions ? data.worldPositions : data.positions;
+  f.positions.a.set(k, positions[c[0]]);
+  f.positions.b.set(k, positions[c[1]]);
+  f.positions.c.set(k, positions[c[2]]);
   f.smooth[k] = data.normals != nullptr;
   if (data.normals) {
     f.normals.a.set(k, data.normals[c[0]]);
     f.normals.b.set(k, data.normals[c[1]]);
     f.normals.c.set(k, data.normals[c[2]]);
   }
-  f.toWorld.set(k, data.toWorld);
-  f.normalToWorld.set(k, data.normalToWorld);
-  f.origin.set(k, data.toWorld.origin);
+  if (!data.worldPositions) {
+    f.toWorld.set(k, data.toWorld);
+    f.origin.set(k, data.toWorld.origin);
+  }
+  if (!data.worldPositions || data.normals) f.normalToWorld.set(k, data.normalToWorld);
+  f.mirrored[k] = data.mirrored;
   f.translation[k] = data.translation;
   f.u[k] = hit.u, f.v[k] = hit.v;
 
@@ -62,7 +66,8 @@ void fetch(Fetched& f, int k, const HitInstance& data, const SurfaceData& surfac
 }  // namespace
 
 void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<SurfaceData>& surfaces,
-                 LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points) {
+                 bool inWorld, LaneMask active, const LaneRays& rays, const LaneHits& hits,
+                 LanePoints& points) {
   using namespace lane_math;
   Fetched f;
   if (!every(active)) {
@@ -80,14 +85,15 @@ void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<Su
   const Floats u = f.u, v = f.v;
   const auto set = [](const LaneArray& a) { return Floats(a) > 0.0f; };
 
-  points.position = f.toWorld.vector(f.positions.interpolated(u, v)) + LaneVec(f.origin);
+  points.position = f.positions.interpolated(u, v);
+  if (!inWorld) points.position = f.toWorld.vector(points.position) + LaneVec(f.origin);
   const LaneVec& p = points.position;
   const Floats size = max(max(abs(p.x), abs(p.y)), abs(p.z));
   points.offset = kOffsetUlps * max(size + Floats(f.translation), 0.1f);
 
   const LaneVec corner = f.positions.a;
-  LaneVec ng =
-      f.normalToWorld.vector(cross(LaneVec(f.positions.b) - corner, LaneVec(f.positions.c) - corner));
+  LaneVec ng = cross(LaneVec(f.positions.b) - corner, LaneVec(f.positions.c) - corner);
+  ng = inWorld ? ng * Floats(f.mirrored) : f.normalToWorld.vector(ng);
   const Floats l2 = dot(ng, ng);
   const LaneMask sound = l2 > 1e-36f && l2 < 1e36f;
   ng = select(sound, ng * inverseSqrt(max(l2, 1e-36f)), -rays.direction);

@@ -31,14 +31,16 @@ MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve) 
   }
 }
 
-void MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
-                       const Transformf* transform, const SieveFilters& filters) const {
-  if (parts_[part].empty()) return;
+const Vec3f* MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
+                               const Transformf* transform, const SieveFilters& filters) const {
+  if (parts_[part].empty()) return nullptr;
+  const Vec3f* world = nullptr;
   const GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
   const std::size_t count = mesh_->positions.size();
   if (transform) {
     auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
                                                                  RTC_FORMAT_FLOAT3, sizeof(Vec3f), count));
+    world = vertices;
     for (const Vec3f& p : mesh_->positions) *vertices++ = transform->point(p);
   } else {
     const Vec3f* positions = paddedPositions_.empty() ? mesh_->positions.data() : paddedPositions_.data();
@@ -54,6 +56,7 @@ void MeshAccel::attach(RTCDevice device, RTCScene scene, unsigned part, unsigned
   }
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(scene, geometry.get(), id);
+  return world;
 }
 
 void MeshAccel::build(RTCDevice device, const SieveFilters& filters) {
@@ -70,10 +73,13 @@ void MeshAccel::build(RTCDevice device, const SieveFilters& filters) {
   rtcJoinCommitScene(scene_.get());
 }
 
-void MeshAccel::attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
-                         unsigned mask, const SieveFilters& filters) const {
+const Vec3f* MeshAccel::attachTo(RTCDevice device, RTCScene scene, const Transformf& transform,
+                                 unsigned firstId, unsigned mask, const SieveFilters& filters) const {
+  const Vec3f* world = nullptr;  // either part's, as both are the same
   for (unsigned part = 0; part < 2; ++part)
-    attach(device, scene, part, firstId + part, mask, &transform, filters);
+    if (const Vec3f* vertices = attach(device, scene, part, firstId + part, mask, &transform, filters))
+      world = vertices;
+  return world;
 }
 
 }  // namespace idap::render

@@ -30,8 +30,9 @@ class MeshAccel {
   // Builds the BVH of the lower level; may run inside a TBB task.
   void build(RTCDevice device, const SieveFilters& filters);
   // Adds the triangles of an instance, in world space, to a scene of one level. firstId: its geometries'.
-  void attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
-                unsigned mask, const SieveFilters& filters) const;
+  // Returns its vertices, which are the scene's.
+  const Vec3f* attachTo(RTCDevice device, RTCScene scene, const Transformf& transform, unsigned firstId,
+                        unsigned mask, const SieveFilters& filters) const;
 
   // Null before build().
   RTCScene scene() const { return scene_.get(); }
@@ -45,9 +46,9 @@ class MeshAccel {
 
  private:
   using Corners = std::array<std::uint32_t, 3>;
-  // transform: to world space; null where the vertices stay as they are.
-  void attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
-              const Transformf* transform, const SieveFilters& filters) const;
+  // transform: to world space; null where the vertices stay as they are. Returns vertices in world space.
+  const Vec3f* attach(RTCDevice device, RTCScene scene, unsigned part, unsigned id, unsigned mask,
+                      const Transformf* transform, const SieveFilters& filters) const;
 
   std::shared_ptr<const Mesh> mesh_;
   Box3f bounds_;

@@ -59,9 +59,11 @@ struct CompiledScene::Accel {
   void place(std::uint32_t instance, const Transformf& transform);
 };
 
-// The surface points of the hits on instances; see CompiledScene::points().
+// The surface points of the hits on instances; see CompiledScene::points(). inWorld: all instances have
+// positions in world space.
 void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<SurfaceData>& surfaces,
-                 LaneMask active, const LaneRays& rays, const LaneHits& hits, LanePoints& points);
+                 bool inWorld, LaneMask active, const LaneRays& rays, const LaneHits& hits,
+                 LanePoints& points);
 
 // For the geometry that light may get through: weakens shadow rays rather than ending them, and lets looks
 // through clear sheets.

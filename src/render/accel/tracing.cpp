@@ -265,7 +265,7 @@ LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) cons
 
 void CompiledScene::points(LaneMask active, const LaneRays& rays, const LaneHits& hits,
                            LanePoints& points) const {
-  fetchPoints(accel_->instances, accel_->surfaces, active, rays, hits, points);
+  fetchPoints(accel_->instances, accel_->surfaces, accel_->flat, active, rays, hits, points);
 }
 
 }  // namespace idap::render

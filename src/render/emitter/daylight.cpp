@@ -20,6 +20,7 @@ template <class F>
 F mapShare(F importance) {
   return kLeastMapShare + (1 - kLeastMapShare) * kFarPortals / (kFarPortals + importance);
 }
+constexpr std::size_t kHeld = 16;  // openings
 // A portal seen under less than this (sr) is left to the sky map.
 constexpr float kLeastSolidAngle = 1e-5f;
 
@@ -155,7 +156,10 @@ template <class F>
 Mask<F> Daylight::sampleSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u,
                             LightSampleT<F>& s) const {
   if (!hasSky_) return Mask<F>(false);
-  const Mask<F> found = chooseSky<F>(at, choice, u, s.wi, s.pdf);
+  const SkyChoice<F> made = chooseSky<F>(at, choice, u);
+  s.wi = made.wi;
+  s.pdf = pdfSky<F>(at, s.wi, made, Mask<F>(true));
+  const Mask<F> found = made.found && s.pdf > 0.0f;
   s.lightGroup = 0;
   s.distance = std::numeric_limits<float>::infinity();
   s.weight = only(found, skyRadiance(s.wi) * F(1.0f / s.pdf));
@@ -163,44 +167,47 @@ Mask<F> Daylight::sampleSky(const ReceiverT<F>& at, std::type_identity_t<F> choi
 }
 
 template <class F>
-Mask<F> Daylight::chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u,
-                            Vec3T<F>& wi, F& pdf) const {
-  F sum = 0.0f;
-  for (const Opening& o : openings_) sum += importance(o, at);
+auto Daylight::chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u) const
+    -> SkyChoice<F> {
+  SkyChoice<F> made;
+  F held[kHeld];  // importances, lest they be asked for twice
+  F& sum = made.importance;
+  for (std::size_t i = 0; i < openings_.size(); ++i) {
+    const F w = importance(openings_[i], at);
+    if (i < kHeld) held[i] = w;
+    sum += w;
+  }
   const F byMap = mapShare(sum);
   const Mask<F> throughOpening = sum > 0.0f && choice >= byMap;
-  Mask<F> found = !throughOpening;
-  Int<F> chosen = -1;
+  made.found = !throughOpening;
+  made.wi = at.normal;
   if (any(throughOpening)) {
     F rest = (choice - byMap) / (1.0f - byMap) * sum;
     Mask<F> open = throughOpening;
     Vec3T<F> corner = at.position, edgeU = spread<F>({1, 0, 0}), edgeV = spread<F>({0, 1, 0});
-    std::int32_t index = 0;
-    for (const Opening& o : openings_) {
-      const F w = importance(o, at);
+    for (std::size_t i = 0; i < openings_.size(); ++i) {
+      const Opening& o = openings_[i];
+      const F w = i < kHeld ? held[i] : importance(o, at);
       const Mask<F> takes = open && w > 0.0f;
-      if (any(takes)) {
-        chosen = select(takes, Int<F>(index), chosen);
-        corner = select(takes, spread<F>(o.corner), corner);
-        edgeU = select(takes, spread<F>(o.edgeU), edgeU);
-        edgeV = select(takes, spread<F>(o.edgeV), edgeV);
-        open = open && !(takes && rest < w);
-        rest = select(takes && open, rest - w, rest);
-      }
-      ++index;
+      if (!any(takes)) continue;
+      made.opening = select(takes, Int<F>(static_cast<std::int32_t>(i)), made.opening);
+      corner = select(takes, spread<F>(o.corner), corner);
+      edgeU = select(takes, spread<F>(o.edgeU), edgeU);
+      edgeV = select(takes, spread<F>(o.edgeV), edgeV);
+      open = open && !(takes && rest < w);
+      rest = select(takes && open, rest - w, rest);
     }
     const SphericalRectangleT<F> seen(corner, edgeU, edgeV, at.position);
     const Vec3T<F> d = seen.sample(u);
     const F l2 = dot(d, d);
-    wi = d * F(1.0f / lane_math::sqrt(lane_math::max(l2, 1e-30f)));
-    found = found || (seen.solidAngle() >= kLeastSolidAngle * 0.1f && l2 > 1e-30f && l2 < 1e30f);
+    made.wi = d * F(1.0f / lane_math::sqrt(lane_math::max(l2, 1e-30f)));
+    made.found = made.found || (seen.solidAngle() >= kLeastSolidAngle * 0.1f && l2 > 1e-30f && l2 < 1e30f);
   }
   if (!every(throughOpening)) {
     const Distribution2D::Sample<F> m = map_.sample(u);
-    wi = select(throughOpening, wi, directionOf(m.point));
+    made.wi = select(throughOpening, made.wi, directionOf(m.point));
   }
-  pdf = mixturePdf<F>(at, wi, sum, chosen);
-  return found && pdf > 0.0f;
+  return made;
 }
 
 template <class F>
@@ -215,17 +222,34 @@ F Daylight::mixturePdf(const ReceiverT<F>& at, const Vec3T<F>& d, F sum, Int<F> 
   const F map = pdfMap(d);
   const Mask<F> mixed = sum > 0.0f;
   if (!any(mixed)) return map;
+  // Most directions cross one opening, each lane's its own: those are judged together, further ones in turn.
   F through = 0.0f;
-  std::int32_t index = 0;
-  for (const Opening& o : openings_) {
-    const Mask<F> crossing = mixed && (crosses(o, at.position, d) || toMask(known == index));
-    ++index;
-    if (!any(crossing)) continue;
-    const F w = importance(o, at);
-    const F solidAngle =
-        SphericalRectangleT<F>(spread<F>(o.corner), spread<F>(o.edgeU), spread<F>(o.edgeV), at.position)
-            .solidAngle();
-    through += only(crossing && solidAngle >= kLeastSolidAngle * 0.1f, w / solidAngle);
+  Int<F> last = -1;
+  for (Mask<F> more = mixed; any(more);) {
+    Mask<F> crossing(false), another(false);
+    Vec3T<F> corner = at.position, edgeU = spread<F>({1, 0, 0}), edgeV = spread<F>({0, 1, 0});
+    F weight = 0.0f;
+    std::int32_t index = -1;
+    for (const Opening& o : openings_) {
+      ++index;
+      const Mask<F> here =
+          more && toMask(last < index) && (crosses(o, at.position, d) || toMask(known == index));
+      if (!any(here)) continue;
+      const Mask<F> first = here && !crossing;
+      another = another || (here && crossing);
+      crossing = crossing || here;
+      if (!any(first)) continue;
+      last = select(first, Int<F>(index), last);
+      corner = select(first, spread<F>(o.corner), corner);
+      edgeU = select(first, spread<F>(o.edgeU), edgeU);
+      edgeV = select(first, spread<F>(o.edgeV), edgeV);
+      weight = select(first, importance(o, at), weight);
+    }
+    if (any(crossing)) {
+      const F solidAngle = SphericalRectangleT<F>(corner, edgeU, edgeV, at.position).solidAngle();
+      through += only(crossing && solidAngle >= kLeastSolidAngle * 0.1f, weight / solidAngle);
+    }
+    more = another;
   }
   const F byMap = mapShare(sum);
   return select(mixed, byMap * map + (1.0f - byMap) * through / sum, map);
@@ -277,7 +301,8 @@ Vec3T<F> Daylight::skyRadiance(const Vec3T<F>& d) const {
 #define IDAP_INSTANTIATE(F)                                                                              \
   template Mask<F> Daylight::sampleSun(const ReceiverT<F>&, const Vec2T<F>&, LightSampleT<F>&) const;    \
   template Mask<F> Daylight::sampleSky(const ReceiverT<F>&, F, const Vec2T<F>&, LightSampleT<F>&) const; \
-  template Mask<F> Daylight::chooseSky(const ReceiverT<F>&, F, const Vec2T<F>&, Vec3T<F>&, F&) const;    \
+  template Daylight::SkyChoice<F> Daylight::chooseSky(const ReceiverT<F>&, F, const Vec2T<F>&) const;    \
+  template F Daylight::mixturePdf(const ReceiverT<F>&, const Vec3T<F>&, F, Int<F>) const;                \
   template Vec3T<F> Daylight::skyRadiance(const Vec3T<F>&) const;                                        \
   template Vec3T<F> Daylight::sunRadiance(const Vec3T<F>&) const;                                        \
   template F Daylight::pdfSky(const ReceiverT<F>&, const Vec3T<F>&) const;                               \

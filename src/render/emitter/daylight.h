@@ -36,10 +36,22 @@ class Daylight {
   bool hasSky() const { return hasSky_; }
   // Whether there are windows to look out of on a sunny day.
   bool looksOut() const { return hasSun_ && !openings_.empty(); }
-  // A direction for sampleSky(), without asking what the sky is there.
+  // A direction for sampleSky(), and of any direction the density with which it is chosen there.
   template <class F>
-  Mask<F> chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u, Vec3T<F>& wi,
-                    F& pdf) const;
+  struct SkyChoice {
+    Mask<F> found{false};
+    Vec3T<F> wi;
+    F importance = 0.0f;  // of all openings together
+    Int<F> opening = -1;  // that it goes through
+  };
+  template <class F>
+  SkyChoice<F> chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice, const Vec2T<F>& u) const;
+  // chosen: lanes whose direction it is.
+  template <class F>
+  F pdfSky(const ReceiverT<F>& at, const Vec3T<F>& direction, const SkyChoice<F>& choice,
+           Mask<F> chosen) const {
+    return mixturePdf<F>(at, direction, choice.importance, select(chosen, choice.opening, Int<F>(-1)));
+  }
   std::uint16_t sunGroup() const { return sunGroup_; }
 
  private:

@@ -42,10 +42,11 @@ struct DirectLight::Point {
 
 void DirectLight::answer() {
   const auto queue = [&](LightSource s) -> LaneQueue<Ask>& { return queues_[static_cast<std::size_t>(s)]; };
-  queue(LightSource::Sun).visit([&](LaneMask lanes, const Ask& ask) { askSun(lanes, ask); });
-  queue(LightSource::Lamps).visit([&](LaneMask lanes, const Ask& ask) { askLamps(lanes, ask); });
-  queue(LightSource::Sky).visit([&](LaneMask lanes, const Ask& ask) { askSky(lanes, ask); });
-  out_.visit([&](LaneMask lanes, const Ask& ask) { addSky(lanes, ask); });
+  Ask ask;
+  queue(LightSource::Sun).visit(ask, [&](LaneMask lanes) { askSun(lanes, ask); });
+  queue(LightSource::Lamps).visit(ask, [&](LaneMask lanes) { askLamps(lanes, ask); });
+  queue(LightSource::Sky).visit(ask, [&](LaneMask lanes) { askSky(lanes, ask); });
+  out_.visit(ask, [&](LaneMask lanes) { addSky(lanes, ask); });
   for (LaneQueue<Ask>& q : queues_) q.clear();
   out_.clear();
 }

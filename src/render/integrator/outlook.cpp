@@ -38,17 +38,13 @@ Mask<F> OutlookT<F>::sample(F choice, const Vec2T<F>& u, Vec3T<F>& direction, F&
   Mask<F> found = aims;
   direction = patches_.sample(F(choice / patchShare_), u);
   pdf = 0.0f;
-  if (daylight_.hasSky() && !every(aims)) {
-    Vec3T<F> up = direction;
-    F density = 0.0f;
-    const F rest = lane_math::min(F((choice - patchShare_) / (1.0f - patchShare_)), kOneMinusEpsilon);
-    found = found || daylight_.chooseSky<F>(at_, rest, u, up, density);
-    direction = select(aims, direction, up);
-    pdf = (1.0f - patchShare_) * density;
+  if (daylight_.hasSky()) {
+    const F rest = lane_math::clamp(F((choice - patchShare_) / (1.0f - patchShare_)), 0.0f, kOneMinusEpsilon);
+    const auto sky = daylight_.chooseSky<F>(at_, rest, u);
+    found = found || sky.found;
+    direction = select(aims, direction, sky.wi);
+    pdf = (1.0f - patchShare_) * daylight_.pdfSky<F>(at_, direction, sky, !aims);
   }
-  // The sky's density is known where it was chosen.
-  if (any(aims && patchShare_ < 1.0f))
-    pdf = select(aims, (1.0f - patchShare_) * daylight_.pdfSky(at_, direction), pdf);
   pdf += only(patchShare_ > 0.0f, patchShare_ * patches_.pdf(direction));
   return found && pdf > 0.0f;
 }

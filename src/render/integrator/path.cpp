@@ -47,10 +47,10 @@ void follow(WalkQueue& paths, LaneWalk& walk, Begin&& begin) {
   WalkQueue next;
   for (bool first = true; !paths.empty(); first = false) {
     next.clear();
-    paths.visit([&](LaneMask active, const WalkState<Floats>& state) {
-      walk.state = state;
+    paths.visit(walk.state, [&](LaneMask active) {
+      const Words dimension = walk.state.sampler.dimension;
       const LaneMask goesOn = first ? begin(walk, active) : walk.step(active);
-      walk.state.sampler.dimension = state.sampler.dimension + kDrawsAStep;
+      walk.state.sampler.dimension = dimension + kDrawsAStep;
       if (any(goesOn)) next.push(goesOn, walk.state);
     });
     walk.answer();

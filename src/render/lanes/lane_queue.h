@@ -71,14 +71,14 @@ class LaneQueue {
     count_ += static_cast<std::size_t>(closeUp.count());
   }
 
-  // f(lanes, record) for all, as many at once as there are lanes; idle lanes have the first one's numbers.
+  // Calls f(lanes) after putting as many as there are lanes into the record, until all have been; idle lanes
+  // have the first one's numbers.
   template <class Function>
-  void visit(Function&& f) const {
-    Record record;
+  void visit(Record& record, Function&& f) const {
     std::size_t block = 0;
     for (; block < count_ / kLanes; ++block) {
       std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&blocks_[block]), sizeof(record));
-      f(LaneMask(true), record);
+      f(LaneMask(true));
     }
     const auto held = static_cast<int>(count_ % kLanes);
     if (held == 0) return;
@@ -86,7 +86,7 @@ class LaneQueue {
     for (LaneArray& word : last)
       for (int k = held; k < kLanes; ++k) word[k] = word[0];
     std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&last), sizeof(record));
-    f(toMask(Ints([](int k) { return k; }) < held), record);
+    f(toMask(Ints([](int k) { return k; }) < held));
   }
 
  private:

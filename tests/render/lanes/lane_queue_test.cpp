@@ -30,7 +30,8 @@ TEST(LaneQueue, KeepsTheLanesOfTheMaskInOrderAndWithoutGaps) {
   }
   std::vector<int> found;
   std::size_t visits = 0;
-  queue.visit([&](LaneMask lanes, const Record& record) {
+  Record record;
+  queue.visit(record, [&](LaneMask lanes) {
     ++visits;
     forLanes(lanes, [&](int k) {
       found.push_back(lane(record.name, k));
@@ -44,7 +45,8 @@ TEST(LaneQueue, KeepsTheLanesOfTheMaskInOrderAndWithoutGaps) {
 TEST(LaneQueue, IdleLanesRepeatTheFirst) {
   LaneQueue<Record> queue;
   queue.push(bits(2), {Floats([](int k) { return static_cast<float>(k); }), Ints([](int k) { return k; })});
-  queue.visit([](LaneMask lanes, const Record& record) {
+  Record record;
+  queue.visit(record, [&](LaneMask lanes) {
     EXPECT_EQ(bitsOf(lanes), 1u);
     EXPECT_TRUE(every(record.number == 1.0f));
   });
@@ -57,7 +59,8 @@ TEST(LaneQueue, ClearedHoldsNothing) {
   EXPECT_FALSE(queue.empty());
   queue.clear();
   EXPECT_TRUE(queue.empty());
-  queue.visit([](LaneMask, const Record&) { ADD_FAILURE(); });
+  Record record;
+  queue.visit(record, [](LaneMask) { ADD_FAILURE(); });
 }
 
 }  // namespace
