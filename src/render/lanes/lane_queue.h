@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "render/lanes/lanes.h"
@@ -63,11 +64,13 @@ class LaneQueue {
 
   void push(LaneMask lanes, const Record& record) {
     const std::size_t block = count_ / kLanes;
-    if (blocks_.size() < block + 2) blocks_.resize(2 * block + 2);
+    while (chunks_.size() * kChunk < block + 2)
+      chunks_.push_back(std::make_unique_for_overwrite<Block[]>(kChunk));
     const CloseUp closeUp(lanes, static_cast<int>(count_ % kLanes));
     const auto* from = reinterpret_cast<const char*>(&record);
+    Block &here = at(block), &next = at(block + 1);
     for (std::size_t w = 0; w < kWords; ++w)
-      closeUp.move(from + w * sizeof(Floats), blocks_[block][w].value, blocks_[block + 1][w].value);
+      closeUp.move(from + w * sizeof(Floats), here[w].value, next[w].value);
     count_ += static_cast<std::size_t>(closeUp.count());
   }
 
@@ -77,12 +80,12 @@ class LaneQueue {
   void visit(Record& record, Function&& f) const {
     std::size_t block = 0;
     for (; block < count_ / kLanes; ++block) {
-      std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&blocks_[block]), sizeof(record));
+      std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&at(block)), sizeof(record));
       f(LaneMask(true));
     }
     const auto held = static_cast<int>(count_ % kLanes);
     if (held == 0) return;
-    Block last = blocks_[block];
+    Block last = at(block);
     for (LaneArray& word : last)
       for (int k = held; k < kLanes; ++k) word[k] = word[0];
     std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&last), sizeof(record));
@@ -91,7 +94,11 @@ class LaneQueue {
 
  private:
   using Block = std::array<LaneArray, kWords>;
-  std::vector<Block> blocks_;
+  static constexpr std::size_t kChunk = 16;  // blocks that are allocated together
+  Block& at(std::size_t block) { return chunks_[block / kChunk][block % kChunk]; }
+  const Block& at(std::size_t block) const { return chunks_[block / kChunk][block % kChunk]; }
+
+  std::vector<std::unique_ptr<Block[]>> chunks_;
   std::size_t count_ = 0;
 };
 
