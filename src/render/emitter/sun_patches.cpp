@@ -22,7 +22,7 @@ constexpr float kLampMargin = 0.01f, kSmallestOfLamps = 0.03f, kInside = 0.25f;
 constexpr int kLampRays = 256;
 constexpr std::size_t kMostLamps = 32;  // are looked at; where there are more, light sampling has to do
 constexpr float kLeastInside = 0.12f;   // of a bulb's light, for its lamp to be worth looking at
-constexpr float kLeastOfAll = 0.15f;    // of all bulbs' light, for looks to be worth their rays
+constexpr float kLeastOfAll = 0.05f;    // of all bulbs' light, for looks to be worth their rays
 constexpr float kDaylight = 0.5f;  // times what the lamps' insides give off: where it is more, none matters
 
 }  // namespace
