@@ -1,7 +1,6 @@
 #include "render/integrator/lane_walk.h"
 
 #include "render/emitter/lights.h"
-#include "render/integrator/outlook.h"
 #include "render/material/bsdf.h"
 #include "render/sampling/warp.h"
 
