@@ -36,11 +36,9 @@ void CompiledScene::Accel::place(std::uint32_t i, const Transformf& t) {
   HitInstance& data = instances[i];
   data.toWorld = t;
   data.normalToWorld = t.cofactor();
-  if (t.determinant() < 0) {
-    auto& n = data.normalToWorld;
-    n.x = -n.x, n.y = -n.y, n.z = -n.z;
-    data.mirrored = -1;
-  }
+  data.mirrored = t.determinant() < 0 ? -1.0f : 1.0f;
+  auto& n = data.normalToWorld;
+  n.x = n.x * data.mirrored, n.y = n.y * data.mirrored, n.z = n.z * data.mirrored;
   data.translation = std::max({std::fabs(t.origin.x), std::fabs(t.origin.y), std::fabs(t.origin.z)});
   if (!geometries[i]) return;
   RTCGeometry geometry = geometries[i].get();

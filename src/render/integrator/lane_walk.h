@@ -73,7 +73,6 @@ class LaneWalk {
   Receiver receiver(int k) const {
     return {lane(state.fromPosition, k), lane(state.fromNormal, k), has(kFromBothSides, k)};
   }
-  LaneReceiver receiver() const { return {state.fromPosition, state.fromNormal, has(kFromBothSides)}; }
   void add(LaneMask lanes, const LaneVec& light, const Ints& group);
   // Light that a ray has met by itself.
   void addMet(int k, Rgb light, std::uint16_t group);
