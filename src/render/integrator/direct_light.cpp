@@ -10,7 +10,10 @@ namespace {
 // Of the random numbers of a step, beyond those of the walk itself.
 constexpr std::uint32_t kFirstDraw[kLightSources] = {12, 13, 15};
 
-LaneMask hasFlag(const Ask& ask, AskFlag flag) { return toMask((ask.flags & Ints(flag)) != 0); }
+template <class Asked>
+LaneMask hasFlag(const Asked& asked, AskFlag flag) {
+  return toMask((asked.flags & Ints(flag)) != 0);
+}
 
 }  // namespace
 
@@ -46,9 +49,14 @@ void DirectLight::answer() {
   queue(LightSource::Sun).visit(ask, [&](LaneMask lanes) { askSun(lanes, ask); });
   queue(LightSource::Lamps).visit(ask, [&](LaneMask lanes) { askLamps(lanes, ask); });
   queue(LightSource::Sky).visit(ask, [&](LaneMask lanes) { askSky(lanes, ask); });
+  looks_.visit(ask, [&](LaneMask lanes) { lookOut(lanes, ask); });
   out_.visit(ask, [&](LaneMask lanes) { addSky(lanes, ask); });
+  Doubled found;
+  doubled_.visit(found, [&](LaneMask lanes) { addDoubled(lanes, found); });
   for (LaneQueue<Ask>& q : queues_) q.clear();
+  looks_.clear();
   out_.clear();
+  doubled_.clear();
 }
 
 void DirectLight::count(LaneMask lanes, const Ask& ask, const Ints& rays) {
@@ -58,19 +66,20 @@ void DirectLight::count(LaneMask lanes, const Ask& ask, const Ints& rays) {
   });
 }
 
-void DirectLight::add(LightSource source, LaneMask lanes, const Ask& ask, const LaneVec& light,
+template <class Asked>
+void DirectLight::add(LightSource source, LaneMask lanes, const Asked& asked, const LaneVec& light,
                       const Ints& group) {
   forLanes(lanes && maxComponent(light) > 0.0f, [&](int k) {
-    const int path = lane(ask.path, k);
+    const int path = lane(asked.path, k);
     const Rgb own = lane(light, k);
     batch_.add(path, own, static_cast<std::size_t>(lane(group, k)));
-    if ((lane(ask.flags, k) & kAskLearns) == 0) return;
+    if ((lane(asked.flags, k) & kAskLearns) == 0) return;
     Lesson& lesson = batch_.lessons[static_cast<std::size_t>(path)].back();
     // The sun is too small and bright to be learned as a mean.
     if (source == LightSource::Sun) lesson.before += own;
     const float scale = luminance(lesson.scale);
     const float lux = scale > 0 ? luminance(own) / scale : 0.0f;
-    lesson.squares[static_cast<std::size_t>(source)] += lux * lux * lane(ask.share, k);
+    lesson.squares[static_cast<std::size_t>(source)] += lux * lux * lane(asked.share, k);
   });
 }
 
@@ -88,14 +97,23 @@ void DirectLight::connect(LightSource source, LaneMask lanes, const Ask& ask, co
   value *= scene_.transmittance(
       lanes, {at.originTowards(light.wi), light.wi, 0.0f, light.distance * (1 - 5e-5f) - at.offset});
   lanes = lanes && maxComponent(value) > 0.0f;
-  const LaneMask byLooks = lanes && hasFlag(ask, kAskByLooks);
-  if (any(byLooks)) {
-    const LaneReceiver from{ask.fromPosition, ask.fromNormal, hasFlag(ask, kAskFromBothSides)};
-    const Floats looks = ask.fromSkyShare * OutlookT<Floats>(scene_, from).pdf(ask.direction);
-    value *= select(byLooks, share(ask.fromPdf, looks), Floats(1.0f));
-  }
+  // Few are doubled, and weighing them is much work: they wait until they are many.
+  const LaneMask doubled = lanes && hasFlag(ask, kAskByLooks);
+  if (any(doubled))
+    doubled_.push(doubled,
+                  {value, ask.direction, ask.fromPosition, ask.fromNormal, ask.fromPdf, ask.fromSkyShare,
+                   ask.share, ask.flags, ask.path, light.lightGroup, Ints(static_cast<std::int32_t>(source))});
   value *= clampScale(options_, value, hasFlag(ask, kAskIndirect));
-  add(source, lanes, ask, value, light.lightGroup);
+  add(source, lanes && !doubled, ask, value, light.lightGroup);
+}
+
+void DirectLight::addDoubled(LaneMask lanes, const Doubled& found) {
+  const LaneReceiver from{found.fromPosition, found.fromNormal, hasFlag(found, kAskFromBothSides)};
+  const Floats looks = found.fromSkyShare * OutlookT<Floats>(scene_, from).pdf(found.direction);
+  LaneVec light = found.light * share(found.fromPdf, looks);
+  light *= clampScale(options_, light, hasFlag(found, kAskIndirect));
+  for (const LightSource source : {LightSource::Sun, LightSource::Lamps})
+    add(source, lanes && toMask(found.source == static_cast<std::int32_t>(source)), found, light, found.group);
 }
 
 void DirectLight::addSky(LaneMask lanes, const Ask& ask) {
@@ -161,12 +179,6 @@ void DirectLight::askLamps(LaneMask lanes, const Ask& ask) {
 
 void DirectLight::askSky(LaneMask lanes, const Ask& ask) {
   Point point(ask, LightSource::Sky);
-  const LaneMask looks = hasFlag(ask, kAskLooks);
-  if (any(lanes && looks)) lookOut(lanes && looks, ask, point);
-  lanes = lanes && !looks;
-  if (!any(lanes)) return;
-  point.sampler = ask.sampler;
-  point.sampler.dimension += kFirstDraw[static_cast<std::size_t>(LightSource::Sky)];
   const Floats choice = point.sampler.get1D();
   LightSampleT<Floats> light;
   lanes = lanes && scene_.lights().daylight().sampleSky(point.receiver, choice, point.sampler.get2D(), light);
@@ -176,7 +188,8 @@ void DirectLight::askSky(LaneMask lanes, const Ask& ask) {
 }
 
 // Adds what one look from each point finds of sky and sunlit surfaces.
-void DirectLight::lookOut(LaneMask lanes, const Ask& ask, Point& point) {
+void DirectLight::lookOut(LaneMask lanes, const Ask& ask) {
+  Point point(ask, LightSource::Sky);
   const LanePoints& at = point.at;
   const Floats choice = point.sampler.get1D();
   const LaneVec2 u = point.sampler.get2D();

@@ -37,7 +37,6 @@ enum AskFlag : std::int32_t {
   kAskIndirect = 128,      // the camera does not see the point
   kAskFarther = 256,       // nor the point before
   kAskLearns = 512,        // the path's last lesson is of this point
-  kAskLooks = 1024,        // the sky is asked by a look
 };
 
 class DirectLight {
@@ -48,6 +47,10 @@ class DirectLight {
   void ask(LightSource source, LaneMask lanes, const Ask& ask) {
     if (any(lanes)) queues_[static_cast<std::size_t>(source)].push(lanes, ask);
   }
+  // Asks for what a look finds instead of the sky.
+  void askByLook(LaneMask lanes, const Ask& ask) {
+    if (any(lanes)) looks_.push(lanes, ask);
+  }
   // Rays that have left the scene.
   void meetSky(LaneMask lanes, const Ask& ask) {
     if (any(lanes)) out_.push(lanes, ask);
@@ -57,20 +60,31 @@ class DirectLight {
 
  private:
   struct Point;
+  // Light of a source that a look could have found as well, and how likely.
+  struct Doubled {
+    LaneVec light;
+    LaneVec direction, fromPosition, fromNormal;  // as in Ask
+    Floats fromPdf, fromSkyShare, share;
+    Ints flags, path, group, source;
+  };
   void addSky(LaneMask lanes, const Ask& ask);
   void askSun(LaneMask lanes, const Ask& ask);
   void askLamps(LaneMask lanes, const Ask& ask);
   void askSky(LaneMask lanes, const Ask& ask);
-  void lookOut(LaneMask lanes, const Ask& ask, Point& point);
+  void lookOut(LaneMask lanes, const Ask& ask);
+  void addDoubled(LaneMask lanes, const Doubled& found);
   void connect(LightSource source, LaneMask lanes, const Ask& ask, const Point& point,
                const LightSampleT<Floats>& light);
-  void add(LightSource source, LaneMask lanes, const Ask& ask, const LaneVec& light, const Ints& group);
+  // asked: an Ask or Doubled.
+  template <class Asked>
+  void add(LightSource source, LaneMask lanes, const Asked& asked, const LaneVec& light, const Ints& group);
   void count(LaneMask lanes, const Ask& ask, const Ints& rays);
 
   const CompiledScene& scene_;
   const PathOptions& options_;
   const WalkBatch& batch_;
-  LaneQueue<Ask> queues_[kLightSources], out_;
+  LaneQueue<Ask> queues_[kLightSources], looks_, out_;
+  LaneQueue<Doubled> doubled_;
 };
 
 // What indirect light is to be multiplied by, lest it be too bright.

@@ -242,8 +242,9 @@ LaneMask LaneWalk::scatter(LaneMask active, const LanePoints& at) {
     ask.flags = flags | flagged(looked && inLamp, kAskByLooks);
     direct_.ask(LightSource::Lamps, askLocal, ask);
     ask.share = skyShare;
-    ask.flags = flags | flagged(looksOut, kAskLooks);
-    direct_.ask(LightSource::Sky, askSky, ask);
+    ask.flags = flags;
+    direct_.ask(LightSource::Sky, askSky && !looksOut, ask);
+    direct_.askByLook(askSky && looksOut, ask);
   }
 
   const Floats lobe = draw1D(active);
