@@ -32,36 +32,59 @@ bool CameraRays::hasLens() const {
          (camera_.projection == Projection::Perspective || camera_.projection == Projection::Orthographic);
 }
 
-std::optional<Ray> CameraRays::at(Vec2f point, Vec2f lens) const {
-  const float x = (point.x - halfWidth_) * scale_, y = (halfHeight_ - point.y) * scale_;
-  const Vec3f forward = camera_.forward;
-  const float pi = static_cast<float>(kPi);
+template <class F>
+Mask<F> CameraRays::ray(const Vec2T<F>& point, const Vec2T<F>& lens, Vec3T<F>& origin,
+                        Vec3T<F>& direction) const {
+  using namespace lane_math;
+  using V = Vec3T<F>;
+  const F x = (point.x - halfWidth_) * scale_, y = (halfHeight_ - point.y) * scale_;
+  const V forward = spread<F>(camera_.forward), right = spread<F>(right_), up = spread<F>(up_);
+  origin = spread<F>(camera_.eye);
   switch (camera_.projection) {
     case Projection::Perspective:
     case Projection::Orthographic: {
-      const bool flat = camera_.projection == Projection::Orthographic;
-      const Vec3f eye = flat ? camera_.eye + right_ * x + up_ * y : camera_.eye;
-      const Vec3f way =
-          flat ? forward : forward + right_ * (x + camera_.shift.x) + up_ * (y + camera_.shift.y);
-      if (!hasLens()) return Ray{eye, normalized(way)};
-      const Vec2f disc = unitDisc(lens) * camera_.lensRadius;
-      const Vec3f aside = right_ * disc.x + up_ * disc.y;
-      return Ray{eye + aside, normalized(way * camera_.focusDistance - aside)};
+      if (camera_.projection == Projection::Orthographic) {
+        origin += right * x + up * y;
+        direction = forward;
+      } else {
+        direction = forward + right * F(x + camera_.shift.x) + up * F(y + camera_.shift.y);
+      }
+      if (hasLens()) {
+        const Vec2T<F> disc = unitDisc(lens);
+        const V aside = right * F(disc.x * camera_.lensRadius) + up * F(disc.y * camera_.lensRadius);
+        origin += aside;
+        direction = direction * F(camera_.focusDistance) - aside;
+      }
+      direction = normalized(direction);
+      return Mask<F>(true);
     }
     case Projection::Fisheye: {
-      const float angle = std::hypot(x, y);
-      if (angle > std::min(pi, 0.5f * camera_.horizontalFov)) return std::nullopt;
-      if (angle < 1e-6f) return Ray{camera_.eye, forward};
-      const Vec3f side = right_ * (x / angle) + up_ * (y / angle);
-      return Ray{camera_.eye, normalized(forward * std::cos(angle) + side * std::sin(angle))};
+      const F angle = sqrt(x * x + y * y), scale = 1.0f / max(angle, 1e-6f);
+      F sine, cosine;
+      sinCos(angle, sine, cosine);
+      direction = normalized(forward * cosine + right * F(x * scale * sine) + up * F(y * scale * sine));
+      return angle <= std::min(kPiF, 0.5f * camera_.horizontalFov);
     }
     case Projection::Equirectangular: {
-      if (std::fabs(y) > 0.5f * pi || std::fabs(x) > pi * 1.01f) return std::nullopt;
-      const Vec3f level = forward * std::cos(x) + right_ * std::sin(x);
-      return Ray{camera_.eye, normalized(level * std::cos(y) + up_ * std::sin(y))};
+      F sinX, cosX, sinY, cosY;
+      sinCos(x, sinX, cosX);
+      sinCos(y, sinY, cosY);
+      direction = normalized((forward * cosX + right * sinX) * cosY + up * sinY);
+      return abs(y) <= 0.5f * kPiF && abs(x) <= kPiF * 1.01f;
     }
   }
-  return std::nullopt;
+  return Mask<F>(false);
+}
+
+std::optional<Ray> CameraRays::at(Vec2f point, Vec2f lens) const {
+  Ray made;
+  if (!ray<float>(point, lens, made.origin, made.direction)) return std::nullopt;
+  return made;
+}
+
+LaneMask CameraRays::at(const LaneVec2& point, const LaneVec2& lens, LaneVec& origin,
+                        LaneVec& direction) const {
+  return ray<Floats>(point, lens, origin, direction);
 }
 
 namespace {
@@ -87,18 +110,24 @@ struct InverseWindow {
       x[i] = static_cast<float>(3 * ((static_cast<double>(k) + within) / kFine - 0.5));
     }
   }
-  float at(float u) const {
-    const float s = u * kSteps;
-    const auto i = std::min(static_cast<std::size_t>(s), static_cast<std::size_t>(kSteps - 1));
-    return x[i] + (x[i + 1] - x[i]) * (s - static_cast<float>(i));
+  template <class F>
+  F at(F u) const {
+    const F s = u * float{kSteps};
+    const Int<F> i = toInt(lane_math::min(s, float{kSteps - 1}));
+    const F low = gather(x.data(), i);
+    return low + (gather(x.data(), i + 1) - low) * (s - toFloats(i));
   }
 };
 const InverseWindow kWindow;
 
 }  // namespace
 
-Vec2f filterOffset(Vec2f u, PixelFilter filter) {
-  const auto triangle = [](float v) { return v < 0.5f ? std::sqrt(2 * v) - 1 : 1 - std::sqrt(2 - 2 * v); };
+template <class F>
+Vec2T<F> filterOffset(const Vec2T<F>& u, PixelFilter filter) {
+  using namespace lane_math;
+  const auto triangle = [](const F& v) {
+    return select(v < 0.5f, sqrt(2.0f * v) - 1.0f, 1.0f - sqrt(max(2.0f - 2.0f * v, 0.0f)));
+  };
   switch (filter) {
     case PixelFilter::Triangle:
       return {triangle(u.x), triangle(u.y)};
@@ -109,6 +138,8 @@ Vec2f filterOffset(Vec2f u, PixelFilter filter) {
   }
   return {kWindow.at(u.x), kWindow.at(u.y)};
 }
+template Vec2f filterOffset(const Vec2f&, PixelFilter);
+template LaneVec2 filterOffset(const LaneVec2&, PixelFilter);
 
 Camera upright(const Camera& camera) {
   constexpr float kMostTilt = 0.87f;  // radians

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/accel/ray.h"
+#include "render/lanes/lanes.h"
 #include "render/scene.h"
 
 namespace idap::render {
@@ -17,9 +18,14 @@ class CameraRays {
   CameraRays(const Camera& camera, int width, int height);
   // lens: where on the lens the ray passes, as two random numbers; without depth of field it is not asked.
   std::optional<Ray> at(Vec2f point, Vec2f lens = {0.5f, 0.5f}) const;
+  // The same, one a lane; the lanes that have a ray. direction: unit.
+  LaneMask at(const LaneVec2& point, const LaneVec2& lens, LaneVec& origin, LaneVec& direction) const;
   bool hasLens() const;
 
  private:
+  template <class F>
+  Mask<F> ray(const Vec2T<F>& point, const Vec2T<F>& lens, Vec3T<F>& origin, Vec3T<F>& direction) const;
+
   Camera camera_;
   Vec3f right_, up_;
   float halfWidth_, halfHeight_;
@@ -34,7 +40,8 @@ enum class PixelFilter {
   Box,             // the pixel's own square: sharpest, jagged on bright edges
 };
 
-// An offset from a pixel's middle, distributed as the filter.
-Vec2f filterOffset(Vec2f u, PixelFilter filter = PixelFilter::BlackmanHarris);
+// An offset from a pixel's middle, distributed as the filter. F: float or Floats.
+template <class F>
+Vec2T<F> filterOffset(const Vec2T<F>& u, PixelFilter filter = PixelFilter::BlackmanHarris);
 
 }  // namespace idap::render

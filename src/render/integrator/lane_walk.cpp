@@ -17,15 +17,14 @@ Ints flagged(LaneMask lanes, std::int32_t flag) { return select(lanes, Ints(flag
 
 }  // namespace
 
-WalkState<float> beginWalk(const PathStart& start, int path) {
-  WalkState<float> s{};
-  s.origin = start.ray.origin;
-  s.direction = start.ray.direction;
-  s.tMin = start.ray.tMin;
-  s.throughput = {1, 1, 1};
-  s.etaScale = s.pdf = s.localShare = s.skyShare = 1;
+WalkState beginWalk(const PathStart& start, const Ints& path) {
+  WalkState s{};
+  s.origin = start.origin;
+  s.direction = start.direction;
+  s.throughput = spread<Floats>({1, 1, 1});
+  s.etaScale = s.pdf = s.localShare = s.skyShare = 1.0f;
   s.sampler = start.sampler;
-  s.flags = kSharp;
+  s.flags = std::int32_t{kSharp};
   s.path = path;
   return s;
 }

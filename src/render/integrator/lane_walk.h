@@ -5,23 +5,20 @@
 
 namespace idap::render {
 
-// Where paths are. Numbers of four bytes only, so that lanes can be moved word by word.
-// F: float for a path by itself, Floats for lanes.
-template <class F>
+// Where paths are, one a lane. Numbers of four bytes only, so that lanes can be moved word by word.
 struct WalkState {
-  Vec3T<F> origin, direction;  // of the ray under way
-  F tMin;
-  Vec3T<F> throughput;
-  F etaScale;  // undoes the squeezing of radiance in glass where roulette judges the throughput
-  Vec3T<F> fromPosition, fromNormal;  // where the ray was scattered,
-  F pdf;                              // and the density with which
-  F localShare, skyShare;             // how likely light sampling asked lamps and the sky there
-  Vec3T<F> radiance;                  // gathered so far
-  F worth;                            // cd/m2, that the guide has to expect to follow it; 0: not known yet
-  SamplerT<F> sampler;
-  Int<F> flags;  // WalkFlag
-  Int<F> bounces, segments, rays;
-  Int<F> path;  // its number in the batch
+  LaneVec origin, direction;  // of the ray under way
+  Floats tMin;
+  LaneVec throughput;
+  Floats etaScale;  // undoes the squeezing of radiance in glass where roulette judges the throughput
+  LaneVec fromPosition, fromNormal;  // where the ray was scattered,
+  Floats pdf;                        // and the density with which
+  Floats localShare, skyShare;       // how likely light sampling asked lamps and the sky there
+  Floats worth;                      // cd/m2, that the guide has to expect to follow it; 0: not known yet
+  LaneSampler sampler;
+  Ints flags;  // WalkFlag
+  Ints bounces, segments, rays;
+  Ints path;  // its number in the batch
 };
 
 // Roulette: bounces that are always followed where the guide does not know the surface, and the likelihood
@@ -37,7 +34,7 @@ enum WalkFlag : std::int32_t {
   kDepthKnown = 16,
 };
 
-WalkState<float> beginWalk(const PathStart& start, int path);
+WalkState beginWalk(const PathStart& start, const Ints& path);
 
 class LaneWalk {
  public:
@@ -49,7 +46,7 @@ class LaneWalk {
         direct_(scene, options, batch) {}
 
   // Where the lanes' paths are. Lanes at rest may be anywhere.
-  WalkState<Floats> state;
+  WalkState state;
 
   // Follows the rays to the next surfaces and chooses where they go on from there. The lanes that do go on.
   LaneMask step(LaneMask active);

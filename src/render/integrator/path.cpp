@@ -10,33 +10,7 @@ namespace idap::render {
 
 namespace {
 
-using WalkQueue = LaneQueue<WalkState<Floats>>;
-
-// Lanes are filled one by one.
-class WalkMaker {
- public:
-  explicit WalkMaker(WalkQueue& queue) : queue_(queue) {}
-  ~WalkMaker() { flush(); }
-  void put(const WalkState<float>& state) {
-    const auto* words = reinterpret_cast<const char*>(&state);
-    for (std::size_t w = 0; w < WalkQueue::kWords; ++w)
-      std::memcpy(&words_[w][held_], words + w * sizeof(float), sizeof(float));
-    ++count_;
-    if (++held_ == kLanes) flush();
-  }
-  int count() const { return count_; }
-
- private:
-  void flush() {
-    WalkState<Floats> lanes;
-    std::memcpy(static_cast<void*>(&lanes), static_cast<const void*>(words_), sizeof(lanes));
-    queue_.push(toMask(Ints([](int k) { return k; }) < held_), lanes);
-    held_ = 0;
-  }
-  WalkQueue& queue_;
-  LaneArray words_[WalkQueue::kWords];
-  int held_ = 0, count_ = 0;
-};
+using WalkQueue = LaneQueue<WalkState>;
 
 // Room for all the random numbers of a step, so that those of the next do not depend on which were drawn.
 constexpr std::uint32_t kDrawsAStep = 24;
@@ -58,9 +32,17 @@ void follow(WalkQueue& paths, LaneWalk& walk, Begin&& begin) {
   }
 }
 
-WalkQueue begun(std::span<const PathStart> starts) {
+// flags: WalkFlags that they all have.
+WalkQueue begun(const PathStarts& starts, std::int32_t flags = 0) {
   WalkQueue paths;
-  for (WalkMaker make(paths); const PathStart& start : starts) make.put(beginWalk(start, make.count()));
+  PathStart start;
+  Ints path = laneNumbers();
+  starts.visit(start, [&](LaneMask lanes) {
+    WalkState state = beginWalk(start, path);
+    state.flags |= flags;
+    paths.push(lanes, state);
+    path += kLanes;
+  });
   return paths;
 }
 
@@ -68,7 +50,13 @@ LaneMask oneStep(LaneWalk& walk, LaneMask active) { return walk.step(active); }
 
 }  // namespace
 
-void PathTracer::trace(std::span<const PathStart> starts, std::span<PathSample> samples,
+void add(PathStarts& starts, const Ray& ray, const SamplerT<float>& sampler) {
+  starts.push(firstLanes(1), {toLanes(ray.origin),
+                              toLanes(ray.direction),
+                              {sampler.reversedIndex, sampler.seed, sampler.dimension}});
+}
+
+void PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples,
                        std::span<Rgb> groups) const {
   if (starts.empty()) return;
   WalkQueue paths = begun(starts);
@@ -79,7 +67,7 @@ void PathTracer::trace(std::span<const PathStart> starts, std::span<PathSample> 
   follow(paths, walk, oneStep);
 }
 
-void PathTracer::learn(std::span<const PathStart> starts, std::vector<CacheRecord>& records) const {
+void PathTracer::learn(const PathStarts& starts, std::vector<CacheRecord>& records) const {
   WalkQueue paths = begun(starts);
   std::vector<PathSample> samples(starts.size());
   std::vector<std::vector<Lesson>> lessons(starts.size());
@@ -99,12 +87,9 @@ void PathTracer::learn(std::span<const PathStart> starts, std::vector<CacheRecor
 void PathTracer::illuminance(Vec3f point, Vec3f normal, std::span<const Sampler> samplers,
                              std::span<Rgb> lux) const {
   // A white Lambertian surface sends out the illuminance it receives over pi.
-  WalkQueue paths;
-  for (WalkMaker make(paths); const Sampler& sampler : samplers) {
-    WalkState<float> state = beginWalk({{point, -normal}, sampler}, make.count());
-    state.flags |= kFeaturesKnown | kDepthKnown;
-    make.put(state);
-  }
+  PathStarts starts;
+  for (const Sampler& sampler : samplers) add(starts, {point, -normal}, sampler);
+  WalkQueue paths = begun(starts, kFeaturesKnown | kDepthKnown);
   LanePoints at;
   at.position = toLanes(point);
   at.offset = 1e-5f * std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z), 1.0f});

@@ -9,6 +9,7 @@
 
 #include "render/accel/compiled_scene.h"
 #include "render/cache/light_cache.h"
+#include "render/lanes/lane_queue.h"
 #include "render/sampling/sampler.h"
 
 namespace idap::render {
@@ -30,11 +31,14 @@ struct PathOptions {
   const LightCache* guide = nullptr;
 };
 
-// A path's beginning: the ray from the camera and the random numbers that are left.
+// Paths' beginnings, one a lane: the rays from the camera and the random numbers that are left.
 struct PathStart {
-  Ray ray;
-  SamplerT<float> sampler;
+  LaneVec origin, direction;
+  LaneSampler sampler;
 };
+using PathStarts = LaneQueue<PathStart>;
+// Adds one more.
+void add(PathStarts& starts, const Ray& ray, const SamplerT<float>& sampler);
 
 // What one path brings. Features are those of the first surface that is not clear glass or a mirror.
 struct PathSample {
@@ -54,13 +58,12 @@ class PathTracer {
   // How many paths are best followed in one call.
   static constexpr std::size_t kBatch = 2048;
 
-  // Follows the paths; samples: one each. groups: empty, or equally many sums a path, one a light group, to
+  // Follows the paths; samples: one each, in order. groups: empty, or equally many sums a path, one a light group, to
   // which its light is added.
-  void trace(std::span<const PathStart> starts, std::span<PathSample> samples,
-             std::span<Rgb> groups = {}) const;
+  void trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups = {}) const;
 
   // Traces paths and adds what they have learned of the light to the records.
-  void learn(std::span<const PathStart> starts, std::vector<CacheRecord>& records) const;
+  void learn(const PathStarts& starts, std::vector<CacheRecord>& records) const;
 
   // Estimates of the illuminance (lux) at a point that faces along normal (unit), one a sampler.
   void illuminance(Vec3f point, Vec3f normal, std::span<const Sampler> samplers, std::span<Rgb> lux) const;

@@ -11,6 +11,12 @@
 
 namespace idap::render {
 
+// The lanes' numbers, and so many of them.
+inline Ints laneNumbers() {
+  return Ints([](int k) { return k; });
+}
+inline LaneMask firstLanes(int count) { return toMask(laneNumbers() < count); }
+
 // Where the lanes of a mask go when they close up behind so many others.
 class CloseUp {
  public:
@@ -59,6 +65,7 @@ class LaneQueue {
   static_assert(sizeof(Record) == kWords * sizeof(Floats) && std::is_trivially_copyable_v<Record>);
 
   bool empty() const { return count_ == 0; }
+  std::size_t size() const { return count_; }
   // The memory is kept.
   void clear() { count_ = 0; }
 
@@ -66,9 +73,14 @@ class LaneQueue {
     const std::size_t block = count_ / kLanes;
     while (chunks_.size() * kChunk < block + 2)
       chunks_.push_back(std::make_unique_for_overwrite<Block[]>(kChunk));
+    Block &here = at(block), &next = at(block + 1);
+    if (count_ % kLanes == 0 && every(lanes)) {
+      std::memcpy(static_cast<void*>(&here), static_cast<const void*>(&record), sizeof(record));
+      count_ += kLanes;
+      return;
+    }
     const CloseUp closeUp(lanes, static_cast<int>(count_ % kLanes));
     const auto* from = reinterpret_cast<const char*>(&record);
-    Block &here = at(block), &next = at(block + 1);
     for (std::size_t w = 0; w < kWords; ++w)
       closeUp.move(from + w * sizeof(Floats), here[w].value, next[w].value);
     count_ += static_cast<std::size_t>(closeUp.count());
@@ -89,7 +101,7 @@ class LaneQueue {
     for (LaneArray& word : last)
       for (int k = held; k < kLanes; ++k) word[k] = word[0];
     std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&last), sizeof(record));
-    f(toMask(Ints([](int k) { return k; }) < held));
+    f(firstLanes(held));
   }
 
  private:

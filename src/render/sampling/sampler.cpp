@@ -62,7 +62,8 @@ std::uint32_t mixBits(std::uint64_t v) {
 std::uint64_t join(std::uint32_t high, std::uint32_t low) { return (std::uint64_t{high} << 32) | low; }
 
 // Every second bit.
-std::uint32_t spreadBits(std::uint32_t v) {
+template <class W>
+W spreadBits(W v) {
   v &= 0xffffu;
   v = (v | (v << 8)) & 0x00ff00ffu;
   v = (v | (v << 4)) & 0x0f0f0f0fu;
@@ -75,20 +76,56 @@ F toUnit(Word<F> v) {
   return toFloats(Word<F>(v >> 8)) * 0x1p-24f;
 }
 
+// A pixel's place in the sequences.
+struct Curve {
+  std::uint32_t bits, epoch, within;
+  // The Z curve has room for a square of 2^(16 - bits/2) pixels; beyond it another seed starts.
+  int side;
+  std::uint64_t pictureSeed;
+
+  Curve(std::uint32_t sample, int log2Samples, std::uint64_t picture)
+      : bits(static_cast<std::uint32_t>(log2Samples)),
+        epoch(sample >> bits),
+        within(sample & ((1u << bits) - 1u)),
+        side(16 - (log2Samples + 1) / 2),
+        pictureSeed(picture) {}
+  template <class W>
+  W reversedIndex(W x, W y) const {
+    const std::uint32_t mask = (1u << side) - 1u;
+    const W z = spreadBits(W(x & mask)) | (spreadBits(W(y & mask)) << 1);
+    return reverseBits(W((z << log2Samples()) | within));
+  }
+  template <class W>
+  W square(W x, W y) const {
+    return ((x >> side) << 16) ^ (y >> side);
+  }
+  std::uint32_t seedOf(std::uint32_t square) const {
+    return mixBits(join(mixBits(pictureSeed), mixBits(join(epoch, square))));
+  }
+
+ private:
+  int log2Samples() const { return static_cast<int>(bits); }
+};
+
 }  // namespace
 
 Sampler::Sampler(int x, int y, std::uint32_t sample, int log2Samples, std::uint64_t pictureSeed) {
-  const auto bits = static_cast<std::uint32_t>(log2Samples);
-  const std::uint32_t epoch = sample >> bits;
-  const std::uint32_t within = sample & ((1u << bits) - 1u);
-  // The Z curve has room for a square of 2^(16 - bits/2) pixels; beyond it another seed starts.
-  const std::uint32_t side = 16 - (bits + 1) / 2;
-  const std::uint32_t mask = (1u << side) - 1u;
+  const Curve curve(sample, log2Samples, pictureSeed);
   const auto px = static_cast<std::uint32_t>(x), py = static_cast<std::uint32_t>(y);
-  const std::uint32_t z = spreadBits(px & mask) | (spreadBits(py & mask) << 1);
   dimension = 0;
-  reversedIndex = reverseBits((z << bits) | within);
-  seed = mixBits(join(mixBits(pictureSeed), mixBits(join(epoch, ((px >> side) << 16) ^ (py >> side)))));
+  reversedIndex = curve.reversedIndex(px, py);
+  seed = curve.seedOf(curve.square(px, py));
+}
+
+LaneSampler samplersOf(const Ints& x, const Ints& y, std::uint32_t sample, int log2Samples,
+                       std::uint64_t pictureSeed) {
+  const Curve curve(sample, log2Samples, pictureSeed);
+  const Words px = simd::static_simd_cast<Words>(x), py = simd::static_simd_cast<Words>(y);
+  const Words square = curve.square(px, py);
+  LaneSampler s{curve.reversedIndex(px, py), curve.seedOf(lane(square, 0)), 0u};
+  if (!simd::all_of(square == lane(square, 0)))
+    s.seed = Words([&](auto k) { return curve.seedOf(lane(square, k)); });
+  return s;
 }
 
 template <class F>

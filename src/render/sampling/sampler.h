@@ -25,6 +25,9 @@ struct Sampler : SamplerT<float> {
   Sampler(int x, int y, std::uint32_t sample, int log2Samples, std::uint64_t seed);
 };
 using LaneSampler = SamplerT<Floats>;
+// Sampler(x, y, sample, log2Samples, seed) for every lane's pixel. x, y: at least 0.
+LaneSampler samplersOf(const Ints& x, const Ints& y, std::uint32_t sample, int log2Samples,
+                       std::uint64_t seed);
 
 extern template struct SamplerT<float>;
 extern template struct SamplerT<Floats>;

@@ -38,13 +38,13 @@ std::shared_ptr<const LightCache> learn(const CompiledScene& scene, std::span<co
     arena.execute([&] {
       tbb::parallel_for(0, chunks, [&](int chunk) {
         if (progress.cancelled()) return;
-        std::vector<PathStart> starts;
+        PathStarts starts;
         for (int i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
           Sampler sampler(i & 0xffff, i >> 16, 0, 0, seed);
           const Vec2f u = sampler.get2D();
           const auto ray = rays[static_cast<std::size_t>(i) % rays.size()].at(
               {u.x * static_cast<float>(settings.width), u.y * static_cast<float>(settings.height)});
-          if (ray) starts.push_back({*ray, sampler});
+          if (ray) add(starts, *ray, sampler);
         }
         tracer.learn(starts, parts[static_cast<std::size_t>(chunk)]);
       });

@@ -147,7 +147,7 @@ class Job {
   };
   struct Batch {
     std::vector<Pending> pending;
-    std::vector<PathStart> starts;
+    PathStarts starts;  // of those that have rays
     std::vector<PathSample> samples;
     std::vector<Rgb> groups;
   };
@@ -158,26 +158,23 @@ class Job {
     std::array<int, kLargeTile * kLargeTile> had;
     int least = to;
     for (int i = 0; i < tile_ * tile_; ++i) {
-      const auto [x, y] = placeInTile(i);
-      const bool inside = x0 + x < film_.width && y0 + y < film_.height;
-      const std::size_t pixel = inside ? film_.index(x0 + x, y0 + y) : 0;
+      const auto [dx, dy] = placeInTile(i);
+      const int x = x0 + dx, y = y0 + dy;
+      const bool inside = x < film_.width && y < film_.height;
+      const std::size_t pixel = inside ? film_.index(x, y) : 0;
       const bool rests = !inside || (!resting_.empty() && resting_[pixel]) ||
-                         (!settings_.region.empty() && !settings_.region.has(x0 + x, y0 + y));
+                         (!settings_.region.empty() && !settings_.region.has(x, y));
       had[static_cast<std::size_t>(i)] = rests ? to : static_cast<int>(film_.weight[pixel]);
       least = std::min(least, had[static_cast<std::size_t>(i)]);
     }
     Batch batch;
     for (int s = least; s < to; ++s)
-      for (int i = 0; i < tile_ * tile_; ++i) {
-        if (s < had[static_cast<std::size_t>(i)]) continue;
-        const auto [dx, dy] = placeInTile(i);
-        const int x = x0 + dx, y = y0 + dy;
-        Sampler sampler(x, y, static_cast<std::uint32_t>(s), log2Samples_, settings_.seed);
-        const Vec2f offset = filterOffset(sampler.get2D(), settings_.filter);
-        const Vec2f point{static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y};
-        const auto ray = rays_.hasLens() ? rays_.at(point, sampler.get2D()) : rays_.at(point);
-        batch.pending.push_back({film_.index(x, y), s == 0, ray.has_value()});
-        if (ray) batch.starts.push_back({*ray, sampler});
+      for (int i = 0; i < tile_ * tile_; i += kLanes) {
+        const Ints before(&had[static_cast<std::size_t>(i)], simd::element_aligned);
+        const LaneMask wanted = toMask(before <= s);
+        if (!any(wanted)) continue;
+        const auto [dx, dy] = placeInTile(i + laneNumbers());
+        begin(batch, wanted, x0 + dx, y0 + dy, s);
         if (batch.pending.size() < PathTracer::kBatch) continue;
         if (stopped()) return;
         take(batch);
@@ -186,9 +183,26 @@ class Job {
   }
 
   // The tile's pixels by squares of four by four, so that the rays of neighbours are traced together.
-  std::pair<int, int> placeInTile(int i) const {
-    const int square = i / 16, within = i % 16;
-    return {square % (tile_ / 4) * 4 + within % 4, square / (tile_ / 4) * 4 + within / 4};
+  template <class I>
+  std::pair<I, I> placeInTile(I i) const {
+    const int squaresALine = tile_ / 4, shift = std::countr_zero(static_cast<unsigned>(squaresALine));
+    const I square = i >> 4, within = i & 15;
+    return {(square & (squaresALine - 1)) * 4 + (within & 3), (square >> shift) * 4 + (within >> 2)};
+  }
+
+  // Adds the lanes' pixels' samples of that number to the batch.
+  void begin(Batch& batch, LaneMask lanes, const Ints& x, const Ints& y, int sample) {
+    PathStart start;
+    start.sampler = samplersOf(x, y, static_cast<std::uint32_t>(sample), log2Samples_, settings_.seed);
+    const LaneVec2 offset = filterOffset(start.sampler.get2D(), settings_.filter);
+    const LaneVec2 point{toFloats(x) + 0.5f + offset.x, toFloats(y) + 0.5f + offset.y};
+    LaneVec2 lens{0.5f, 0.5f};
+    if (rays_.hasLens()) lens = start.sampler.get2D();
+    const LaneMask found = lanes && rays_.at(point, lens, start.origin, start.direction);
+    batch.starts.push(found, start);
+    forLanes(lanes, [&](int k) {
+      batch.pending.push_back({film_.index(lane(x, k), lane(y, k)), sample == 0, lane(found, k)});
+    });
   }
 
   // Follows the batch's paths and adds them to the film.
@@ -196,15 +210,17 @@ class Job {
     const std::size_t groups = settings_.perLightGroupLayers ? film_.groups.size() : 0;
     batch.samples.resize(batch.starts.size());
     batch.groups.assign(batch.starts.size() * groups, Rgb{});
-    if (!classic_) tracer_.trace(batch.starts, batch.samples, batch.groups);
+    if (classic_)
+      traceClassic(batch);
+    else
+      tracer_.trace(batch.starts, batch.samples, batch.groups);
     std::size_t i = 0;
     std::uint64_t traced = 0;
     for (const Pending& p : batch.pending) {
       film_.weight[p.pixel] += 1;
       if (!p.hasRay) continue;
-      const PathSample path = classic_ ? classic(batch.starts[i].ray, p.pixel) : batch.samples[i];
-      add(path, p, std::span(batch.groups).subspan(i * groups, groups));
-      traced += path.rays;
+      add(batch.samples[i], p, std::span(batch.groups).subspan(i * groups, groups));
+      traced += batch.samples[i].rays;
       ++i;
     }
     paths_ += batch.starts.size();
@@ -228,13 +244,25 @@ class Job {
     if (p.first) film_.objectId[p.pixel] = path.objectId;
   }
 
+  void traceClassic(Batch& batch) const {
+    auto pending = batch.pending.begin();
+    auto sample = batch.samples.begin();
+    PathStart start;
+    batch.starts.visit(start, [&](LaneMask lanes) {
+      forLanes(lanes, [&](int k) {
+        while (!pending->hasRay) ++pending;
+        *sample++ = classic({lane(start.origin, k), lane(start.direction, k)}, (pending++)->pixel);
+      });
+    });
+  }
+
   // The surface of 1993, with this integrator's features beside it: looked up once a pixel, since each costs
   // as much as the picture's own first ray.
   PathSample classic(const Ray& ray, std::size_t pixel) const {
     PathSample out;
     out.radiance = classic_->trace(ray);
     Hit hit;
-    const float had = film_.weight[pixel] - 1;  // this sample is counted already
+    const float had = film_.weight[pixel];
     if (had > 0) {
       out.albedo = film_.albedo[pixel] * (1 / had);
       out.normal = film_.normal[pixel] * (1 / had);

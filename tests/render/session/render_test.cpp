@@ -48,19 +48,19 @@ SceneMaker variedRoom() {
   return make;
 }
 
-std::vector<PathStart> starts(int n) {
-  std::vector<PathStart> paths;
-  for (int i = 0; i < n; ++i) {
+PathStarts starts(int n, int first = 0) {
+  PathStarts paths;
+  for (int i = first; i < first + n; ++i) {
     Sampler sampler(5, 9, static_cast<std::uint32_t>(i), 16, 3);
     const Vec2f u = sampler.get2D();
     const Vec3f d = normalized(Vec3f{1.5f * u.x - 0.75f, 1, 1.2f * u.y - 0.8f});
-    paths.push_back({{{0, -1.9f, 1.2f}, d}, sampler});
+    add(paths, {{0, -1.9f, 1.2f}, d}, sampler);
   }
   return paths;
 }
 
 std::vector<PathSample> traced(const PathTracer& tracer, int n) {
-  const std::vector<PathStart> paths = starts(n);
+  const PathStarts paths = starts(n);
   std::vector<PathSample> samples(paths.size());
   tracer.trace(paths, samples);
   return samples;
@@ -73,13 +73,11 @@ TEST(Path, WhatAPathBringsDoesNotDependOnItsNeighbours) {
   const auto guide = fillGuide(*scene, camera, {.width = 64, .height = 48});
   for (const LightCache* told : {static_cast<const LightCache*>(nullptr), guide.get()}) {
     const PathTracer tracer(*scene, {.guide = told});
-    const std::vector<PathStart> paths = starts(200);
     const std::vector<PathSample> together = traced(tracer, 200);
-    std::vector<PathSample> apart(paths.size());
-    for (std::size_t i = 0; i < paths.size(); i += 7)
-      tracer.trace(std::span(paths).subspan(i, std::min<std::size_t>(7, paths.size() - i)),
-                   std::span(apart).subspan(i));
-    for (std::size_t i = 0; i < paths.size(); ++i) {
+    std::vector<PathSample> apart(together.size());
+    for (int i = 0; i < 200; i += 7)
+      tracer.trace(starts(std::min(7, 200 - i), i), std::span(apart).subspan(static_cast<std::size_t>(i)));
+    for (std::size_t i = 0; i < together.size(); ++i) {
       EXPECT_EQ(together[i].radiance, apart[i].radiance) << i;
       EXPECT_EQ(together[i].albedo, apart[i].albedo) << i;
       EXPECT_EQ(together[i].rays, apart[i].rays) << i;
@@ -295,7 +293,7 @@ TEST(CameraRays, FiltersAreCentredAndAsWideAsTheySay) {
                                       {PixelFilter::Box, 0.5f}}) {
     float mean = 0, widest = 0;
     for (int i = 0; i < 1000; ++i) {
-      const float o = filterOffset({(static_cast<float>(i) + 0.5f) / 1000, 0.5f}, filter).x;
+      const float o = filterOffset(Vec2f{(static_cast<float>(i) + 0.5f) / 1000, 0.5f}, filter).x;
       mean += o / 1000;
       widest = std::max(widest, std::fabs(o));
     }
