@@ -70,6 +70,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
 
   a.surfaces.reserve(scene_->surfaces.size());
   for (const Surface& s : scene_->surfaces) a.surfaces.push_back(compileSurface(s));
+  for (const SurfaceData& s : a.surfaces) a.surfaceRows.push_back(surfaceRow(s));
 
   // One BVH for every mesh and every pattern of slots that light can get through.
   std::vector<std::uint32_t> slotCount(scene_->meshes.size(), 0);
@@ -154,8 +155,7 @@ CompiledScene::CompiledScene(std::shared_ptr<const Scene> scene, int threads, co
         data.positions = mesh.positions.data();
         data.normals = mesh.normals.empty() ? nullptr : mesh.normals.data();
         data.uvs = mesh.uvs.empty() ? nullptr : mesh.uvs.data();
-        data.triangles = mesh.triangles.data();
-        data.slots = mesh.slots.empty() ? nullptr : mesh.slots.data();
+        data.triangles = accel.hitTriangles();
         data.surfaces = instance.surfaces.data();
         data.triangleMap[0] = accel.triangleMap(0);
         data.triangleMap[1] = accel.triangleMap(1);

@@ -1,11 +1,11 @@
 // What a hit needs of its instance, all in one place, and the surface point made of it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "geometry/transform.h"
 #include "render/accel/interaction.h"
+#include "render/accel/mesh_accel.h"
 #include "render/accel/ray.h"
 #include "render/material/surface_data.h"
 
@@ -16,8 +16,7 @@ struct HitInstance {
   const Vec3f* worldPositions = nullptr;  // in scenes of one level; null in others
   const Vec3f* normals = nullptr;
   const Vec2f* uvs = nullptr;
-  const std::array<std::uint32_t, 3>* triangles = nullptr;
-  const std::uint32_t* slots = nullptr;
+  const HitTriangle* triangles = nullptr;
   const std::uint32_t* surfaces = nullptr;
   const std::uint32_t* triangleMap[2] = {};
   Transformf toWorld;
@@ -31,7 +30,7 @@ struct HitInstance {
     const std::uint32_t* map = triangleMap[geometry & 1u];
     return map ? map[primitive] : primitive;
   }
-  std::uint32_t surfaceOf(std::uint32_t triangle) const { return surfaces[slots ? slots[triangle] : 0]; }
+  std::uint32_t surfaceOf(std::uint32_t triangle) const { return surfaces[triangles[triangle].slot()]; }
 };
 
 inline Vec2f interpolate(Vec2f a, Vec2f b, Vec2f c, float u, float v) {

@@ -9,7 +9,7 @@ namespace idap::render {
 
 Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, const Ray& ray,
                           const Hit& hit) {
-  const auto& c = data.triangles[hit.triangle];
+  const auto& c = data.triangles[hit.triangle].corners;
   const Vec3f* positions = data.worldPositions ? data.worldPositions : data.positions;
   const Vec3f a = positions[c[0]], b = positions[c[1]], d = positions[c[2]];
   const auto toWorld = [&](Vec3f v) { return data.worldPositions ? v : data.toWorld.vector(v); };
@@ -34,7 +34,7 @@ Interaction interactionOn(const HitInstance& data, const SurfaceData* surfaces, 
 
   if (s.surface->hasMaps && data.uvs)
     s.uv = interpolate(data.uvs[c[0]], data.uvs[c[1]], data.uvs[c[2]], hit.u, hit.v);
-  if (data.normals) {
+  if (data.normals && data.triangles[hit.triangle].bent()) {
     const Vec3f n = data.normalToWorld.vector(
         interpolate(data.normals[c[0]], data.normals[c[1]], data.normals[c[2]], hit.u, hit.v));
     const float n2 = dot(n, n);

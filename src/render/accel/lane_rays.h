@@ -19,8 +19,16 @@ struct LaneRays {
 struct LaneHits {
   LaneMask found{false};
   LaneMask lamp{false};  // of those, the spheres of lamps
-  Floats t = 0.0f;
-  Hit hit[kLanes];  // of the lanes that found something
+  Floats t = 0.0f, u = 0.0f, v = 0.0f;
+  LaneVec ng{};  // the triangle's normal, of any length; in the mesh's space where the scene has two levels
+  // Of the lanes that found something, as in Hit; index: of the triangle or the lamp.
+  std::uint32_t instance[kLanes], index[kLanes];
+
+  Hit hit(int k) const {
+    Hit h{.t = lane(t, k), .u = lane(u, k), .v = lane(v, k), .instance = instance[k]};
+    (h.instance == kNone ? h.lamp : h.triangle) = index[k];
+    return h;
+  }
 };
 
 // Surface points, one a lane, as far as shading goes on side by side.

@@ -8,12 +8,31 @@ namespace {
 
 bool finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
+// Most triangles of a home are flat however they were modelled; those need no normals of their corners.
+bool bent(const Mesh& mesh, const std::array<std::uint32_t, 3>& c) {
+  constexpr float kLeast = 2e-4f;  // radians; more than files with few digits are off by
+  if (mesh.normals.empty()) return false;
+  const Vec3f a = mesh.positions[c[0]];
+  const Vec3f own = cross(mesh.positions[c[1]] - a, mesh.positions[c[2]] - a);
+  const float l2 = dot(own, own);
+  if (!(l2 > 0 && std::isfinite(l2))) return true;
+  for (const std::uint32_t corner : c) {
+    const Vec3f n = mesh.normals[corner];
+    const Vec3f off = n * (1 / length(n)) - own * (1 / std::sqrt(l2));
+    if (!(dot(off, off) < kLeast * kLeast)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh, std::vector<bool> sieve) : mesh_(std::move(mesh)) {
   for (const Vec3f& p : mesh_->positions)
     if (finite(p)) bounds_.add(p);
   const auto& triangles = mesh_->triangles;
+  hitTriangles_.reserve(triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    hitTriangles_.push_back({triangles[i], (mesh_->slotOf(i) << 1) | (bent(*mesh_, triangles[i]) ? 1u : 0u)});
   const bool anyOpaque = std::ranges::find(sieve, false) != sieve.end(),
              anySieve = std::ranges::find(sieve, true) != sieve.end();
   if (!anySieve) {

@@ -2,6 +2,7 @@
 // every ray (geometry 0) and those that light may get through (geometry 1, which has filters).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,6 +16,16 @@ namespace idap::render {
 
 inline constexpr unsigned kOpaqueGeometry = 0;
 inline constexpr unsigned kSieveGeometry = 1;
+
+// What a hit needs to know of its triangle, in one place.
+struct HitTriangle {
+  std::array<std::uint32_t, 3> corners;
+  std::uint32_t slotAndBend;
+
+  std::uint32_t slot() const { return slotAndBend >> 1; }
+  // Whether its corners' normals are anything but its own.
+  bool bent() const { return (slotAndBend & 1u) != 0; }
+};
 
 // What Embree calls for hits on geometry that light may get through.
 struct SieveFilters {
@@ -39,6 +50,7 @@ class MeshAccel {
   bool has(unsigned part) const { return !parts_[part].empty(); }
   const Mesh& mesh() const { return *mesh_; }
   const Box3f& bounds() const { return bounds_; }
+  const HitTriangle* hitTriangles() const { return hitTriangles_.data(); }
   // Embree's primitive number -> the mesh's triangle; null where they are equal.
   const std::uint32_t* triangleMap(unsigned geometry) const {
     return geometry < 2 && !maps_[geometry].empty() ? maps_[geometry].data() : nullptr;
@@ -57,6 +69,7 @@ class MeshAccel {
   std::span<const Corners> parts_[2];  // of the mesh, or of those below
   std::vector<Corners> sorted_[2];
   std::vector<std::uint32_t> maps_[2];
+  std::vector<HitTriangle> hitTriangles_;
 };
 
 }  // namespace idap::render

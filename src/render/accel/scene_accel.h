@@ -9,6 +9,7 @@
 #include "render/accel/compiled_scene.h"
 #include "render/accel/hit_instance.h"
 #include "render/accel/mesh_accel.h"
+#include "render/accel/surface_row.h"
 
 namespace idap::render {
 
@@ -21,6 +22,7 @@ struct CompiledScene::Accel {
 
   std::shared_ptr<Device> device;
   std::vector<SurfaceData> surfaces;
+  std::vector<SurfaceRow> surfaceRows;  // of the same
   std::vector<HitInstance> instances;
   std::vector<GeometryHandle> geometries;  // one an instance; null where there is nothing to hit
   std::vector<std::shared_ptr<MeshAccel>> meshes;
@@ -43,11 +45,12 @@ struct CompiledScene::Accel {
   // The same with all that is known of it; t: along the ray.
   Hit hitOf(float t, const RTCHit& hit) const {
     Hit h{.t = t, .u = hit.u, .v = hit.v, .instance = instanceOf(hit.geomID, hit.instID[0])};
-    if (h.instance == kNone)
-      h.lamp = sphereLamps[hit.primID];
-    else
-      h.triangle = instances[h.instance].triangleOf(hit.geomID, hit.primID);
+    (h.instance == kNone ? h.lamp : h.triangle) = indexOf(h.instance, hit.geomID, hit.primID);
     return h;
+  }
+  // Of the triangle in the instance's mesh, or of the lamp.
+  std::uint32_t indexOf(std::uint32_t instance, unsigned geometry, unsigned primitive) const {
+    return instance == kNone ? sphereLamps[primitive] : instances[instance].triangleOf(geometry, primitive);
   }
 
   // Whether the one level has such a geometry.
@@ -59,11 +62,9 @@ struct CompiledScene::Accel {
   void place(std::uint32_t instance, const Transformf& transform);
 };
 
-// The surface points of the hits on instances; see CompiledScene::points(). inWorld: all instances have
-// positions in world space.
-void fetchPoints(const std::vector<HitInstance>& instances, const std::vector<SurfaceData>& surfaces,
-                 bool inWorld, LaneMask active, const LaneRays& rays, const LaneHits& hits,
-                 LanePoints& points);
+// The surface points of the hits on instances; see CompiledScene::points().
+void fetchPoints(const CompiledScene::Accel& accel, LaneMask active, const LaneRays& rays,
+                 const LaneHits& hits, LanePoints& points);
 
 // For the geometry that light may get through: weakens shadow rays rather than ending them, and lets looks
 // through clear sheets.

@@ -52,7 +52,7 @@ Rgb transmittanceAt(const CompiledScene::Accel& accel, const HitInstance& instan
                     const SurfaceData& surface, const RTCHit& hit, Vec3f direction) {
   Vec2f uv{};
   if (surface.hasMaps && instance.uvs) {
-    const auto& c = instance.triangles[instance.triangleOf(hit.geomID, hit.primID)];
+    const auto& c = instance.triangles[instance.triangleOf(hit.geomID, hit.primID)].corners;
     uv = interpolate(instance.uvs[c[0]], instance.uvs[c[1]], instance.uvs[c[2]], hit.u, hit.v);
   }
   Vec3f normal{hit.Ng_x, hit.Ng_y, hit.Ng_z};
@@ -171,11 +171,13 @@ void nearest(const CompiledScene::Accel& accel, TraceContext& context, LaneMask 
   hits.found = active && toMask(geometry != none);
   hits.lamp = hits.found && toMask(geometry == accel.lampGeometry);
   hits.t = Floats(r.ray.tfar, simd::element_aligned);
+  hits.u = Floats(r.hit.u, simd::element_aligned);
+  hits.v = Floats(r.hit.v, simd::element_aligned);
+  hits.ng = {Floats(r.hit.Ng_x, simd::element_aligned), Floats(r.hit.Ng_y, simd::element_aligned),
+             Floats(r.hit.Ng_z, simd::element_aligned)};
   forLanes(hits.found, [&](int k) {
-    RTCHit one;
-    one.u = r.hit.u[k], one.v = r.hit.v[k], one.primID = r.hit.primID[k], one.geomID = r.hit.geomID[k];
-    one.instID[0] = r.hit.instID[0][k];
-    hits.hit[k] = accel.hitOf(r.ray.tfar[k], one);
+    const std::uint32_t i = hits.instance[k] = accel.instanceOf(r.hit.geomID[k], r.hit.instID[0][k]);
+    hits.index[k] = accel.indexOf(i, r.hit.geomID[k], r.hit.primID[k]);
   });
 }
 
@@ -265,7 +267,7 @@ LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) cons
 
 void CompiledScene::points(LaneMask active, const LaneRays& rays, const LaneHits& hits,
                            LanePoints& points) const {
-  fetchPoints(accel_->instances, accel_->surfaces, accel_->flat, active, rays, hits, points);
+  fetchPoints(*accel_, active, rays, hits, points);
 }
 
 }  // namespace idap::render

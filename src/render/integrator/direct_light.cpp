@@ -100,9 +100,9 @@ void DirectLight::connect(LightSource source, LaneMask lanes, const Ask& ask, co
   // Few are doubled, and weighing them is much work: they wait until they are many.
   const LaneMask doubled = lanes && hasFlag(ask, kAskByLooks);
   if (any(doubled))
-    doubled_.push(doubled,
-                  {value, ask.direction, ask.fromPosition, ask.fromNormal, ask.fromPdf, ask.fromSkyShare,
-                   ask.share, ask.flags, ask.path, light.lightGroup, Ints(static_cast<std::int32_t>(source))});
+    doubled_.push(
+        doubled, {value, ask.direction, ask.fromPosition, ask.fromNormal, ask.fromPdf, ask.fromSkyShare,
+                  ask.share, ask.flags, ask.path, light.lightGroup, Ints(static_cast<std::int32_t>(source))});
   value *= clampScale(options_, value, hasFlag(ask, kAskIndirect));
   add(source, lanes && !doubled, ask, value, light.lightGroup);
 }
@@ -113,7 +113,8 @@ void DirectLight::addDoubled(LaneMask lanes, const Doubled& found) {
   LaneVec light = found.light * share(found.fromPdf, looks);
   light *= clampScale(options_, light, hasFlag(found, kAskIndirect));
   for (const LightSource source : {LightSource::Sun, LightSource::Lamps})
-    add(source, lanes && toMask(found.source == static_cast<std::int32_t>(source)), found, light, found.group);
+    add(source, lanes && toMask(found.source == static_cast<std::int32_t>(source)), found, light,
+        found.group);
 }
 
 void DirectLight::addSky(LaneMask lanes, const Ask& ask) {

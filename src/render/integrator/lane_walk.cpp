@@ -84,7 +84,7 @@ LaneMask LaneWalk::step(LaneMask active) {
     const LaneMask first = met && primary && !has(kDepthKnown);
     forLanes(first, [&](int k) {
       PathSample& sample = batch_.samples[static_cast<std::size_t>(pathOf(k))];
-      sample.depth = hits.hit[k].t;
+      sample.depth = lane(hits.t, k);
       sample.objectId = at.objectId[k];
     });
     set(first, kDepthKnown);
@@ -108,7 +108,7 @@ void LaneWalk::addEmission(LaneMask lanes, const LaneHits& hits, const LanePoint
     float weight = 1;
     if (!has(kSharp, k) && options_.lightSampling != LightSampling::SurfacesOnly) {
       const Ray ray{lane(state.origin, k), lane(state.direction, k)};
-      const float light = local.pdfTriangle(receiver(k), ray, hits.hit[k], lane(at.shading.frontFace, k)) *
+      const float light = local.pdfTriangle(receiver(k), ray, hits.hit(k), lane(at.shading.frontFace, k)) *
                           lane(state.localShare, k);
       if (options_.lightSampling == LightSampling::LightsOnly)
         weight = light > 0 ? 0.0f : 1.0f;
@@ -122,17 +122,17 @@ void LaneWalk::addEmission(LaneMask lanes, const LaneHits& hits, const LanePoint
 void LaneWalk::addLamps(LaneMask lanes, const LaneHits& hits) {
   const LocalLights& local = scene_.lights().local();
   forLanes(lanes, [&](int k) {
-    const Lamp& lamp = scene_.scene().lamps[hits.hit[k].lamp];
+    const Lamp& lamp = scene_.scene().lamps[hits.index[k]];
     const Vec3f direction = lane(state.direction, k);
-    const Vec3f p = lane(state.origin, k) + direction * hits.hit[k].t;
+    const Vec3f p = lane(state.origin, k) + direction * lane(hits.t, k);
     if (dot(p - lamp.position, direction) >= 0) return;  // going out, not coming in
     float weight = 1;
     if (!has(kSharp, k) && options_.lightSampling == LightSampling::Both) {
       weight =
-          share(lane(state.pdf, k), local.pdfLamp(receiver(k), hits.hit[k].lamp) * lane(state.localShare, k));
+          share(lane(state.pdf, k), local.pdfLamp(receiver(k), hits.index[k]) * lane(state.localShare, k));
     }
     if (!has(kSharp, k) && options_.lightSampling == LightSampling::LightsOnly) weight = 0;
-    const Rgb light = local.lampRadiance(hits.hit[k].lamp, direction);
+    const Rgb light = local.lampRadiance(hits.index[k], direction);
     addMet(k, lane(state.throughput, k) * light * weight, lamp.lightGroup);
   });
 }

@@ -56,8 +56,7 @@ void add(PathStarts& starts, const Ray& ray, const SamplerT<float>& sampler) {
                               {sampler.reversedIndex, sampler.seed, sampler.dimension}});
 }
 
-void PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples,
-                       std::span<Rgb> groups) const {
+void PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups) const {
   if (starts.empty()) return;
   WalkQueue paths = begun(starts);
   samples = samples.first(starts.size());

@@ -58,8 +58,8 @@ class PathTracer {
   // How many paths are best followed in one call.
   static constexpr std::size_t kBatch = 2048;
 
-  // Follows the paths; samples: one each, in order. groups: empty, or equally many sums a path, one a light group, to
-  // which its light is added.
+  // Follows the paths; samples: one each, in order. groups: empty, or equally many sums a path, one a light
+  // group, to which its light is added.
   void trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups = {}) const;
 
   // Traces paths and adds what they have learned of the light to the records.
