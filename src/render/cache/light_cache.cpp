@@ -53,14 +53,14 @@ void LightCache::divide(std::size_t index, std::span<CacheRecord> records) {
                                       [&](const CacheRecord& r) { return along(r.position, axis) < middle; });
     if (above != records.begin()) {
       const auto children = static_cast<std::uint32_t>(cells_.size());
-      cells_[index] = {children, axis, middle};
+      cells_[index] = {children << 2 | axis, middle};
       cells_.resize(cells_.size() + 2);
       divide(children, {records.begin(), above});
       divide(children + 1, {above, records.end()});
       return;
     }
   }
-  cells_[index] = {0, static_cast<std::uint32_t>(neighbourhoods_.size()), 0};
+  cells_[index] = {static_cast<std::uint32_t>(neighbourhoods_.size()) << 2 | Cell::kLeaf, 0};
   Neighbourhood& n = neighbourhoods_.emplace_back();
   n.size = longest;
   n.known = records.size() >= kFewestRecords;
@@ -83,27 +83,28 @@ void LightCache::divide(std::size_t index, std::span<CacheRecord> records) {
 
 const LightCache::Neighbourhood* LightCache::at(Vec3f position, Vec3f normal) const {
   if (empty()) return nullptr;
-  std::size_t index = facing(normal);
-  while (cells_[index].children != 0)
-    index = cells_[index].children + (along(position, cells_[index].axis) >= cells_[index].middle ? 1 : 0);
-  const Neighbourhood& n = neighbourhoods_[cells_[index].axis];
+  const Cell* cell = &cells_[facing(normal)];
+  while (cell->axis() != Cell::kLeaf)
+    cell = &cells_[cell->index() + (along(position, cell->axis()) >= cell->middle ? 1u : 0u)];
+  const Neighbourhood& n = neighbourhoods_[cell->index()];
   return n.known ? &n : nullptr;
 }
 
 Ints LightCache::find(const LaneVec& p, const LaneVec& n) const {
   using namespace lane_math;
+  static_assert(sizeof(Cell) == 2 * sizeof(float));
   const auto* words = reinterpret_cast<const float*>(cells_.data());
-  const auto whole = [&](const Ints& at) { return std::bit_cast<Ints>(gather(words, at)); };
   const Floats x = abs(n.x), y = abs(n.y), z = abs(n.z);
   const LaneMask up = z >= x && z >= y, wide = x >= y;
   const Floats side = select(up, n.z, select(wide, n.x, n.y));
   Ints index = select(up, Ints(4), select(wide, Ints(0), Ints(2))) + select(side >= 0.0f, Ints(0), Ints(1));
   for (;;) {
-    const Ints at = index * 3, children = whole(at), axis = whole(at + 1);
-    const LaneMask divided = toMask(children != 0);
-    if (!any(divided)) return axis;
+    const Ints at = index + index, word = std::bit_cast<Ints>(gather(words, at));
+    const Ints axis = word & 3, below = word >> 2;
+    const LaneMask divided = toMask(axis != static_cast<std::int32_t>(Cell::kLeaf));
+    if (!any(divided)) return below;
     const Floats along = select(toMask(axis == 0), p.x, select(toMask(axis == 1), p.y, p.z));
-    const Ints next = children + select(along >= gather(words, at + 2), Ints(1), Ints(0));
+    const Ints next = below + select(along >= gather(words, at + 1), Ints(1), Ints(0));
     index = select(divided, next, index);
   }
 }

@@ -55,10 +55,14 @@ class LightCache {
   static std::uint32_t facing(Vec3f normal);
 
  private:
+  // Of eight bytes, for the gathers.
   struct Cell {
-    std::uint32_t children = 0;  // of the first of two; 0: a leaf
-    std::uint32_t axis = 0;      // that it is divided across; of a leaf the index of its neighbourhood
+    static constexpr std::uint32_t kLeaf = 3;
+    std::uint32_t word = kLeaf;  // the first of two children * 4 + axis, or the neighbourhood * 4 + kLeaf
     float middle = 0.0f;
+
+    std::uint32_t axis() const { return word & 3u; }
+    std::uint32_t index() const { return word >> 2; }
   };
   void divide(std::size_t index, std::span<CacheRecord> records);
   Ints find(const LaneVec& position, const LaneVec& normal) const;  // neighbourhoods

@@ -78,7 +78,8 @@ Daylight::Daylight(const CompiledScene& scene)
     Opening o{p.corner, p.edgeU, p.edgeV, {}, cross(p.edgeU, p.edgeV)};
     o.area = length(o.normal);
     if (!(o.area > 1e-6f && std::isfinite(o.area))) continue;
-    o.normal = o.normal * (1 / o.area);
+    o.inverseArea = 1 / o.area;
+    o.normal = o.normal * o.inverseArea;
     o.centre = p.corner + (p.edgeU + p.edgeV) * 0.5f;
     o.inverseU2 = 1 / dot(p.edgeU, p.edgeU);
     o.inverseV2 = 1 / dot(p.edgeV, p.edgeV);
@@ -112,11 +113,10 @@ F Daylight::importance(const Opening& o, const ReceiverT<F>& at) {
       towards + 0.5f * (abs(dot(at.normal, spread<F>(o.edgeU))) + abs(dot(at.normal, spread<F>(o.edgeV))));
   seen = seen && (at.bothSides || reach > 0.0f);
   // About the solid angle, and about the cosine at the receiver.
-  const F d2 = dot(to, to);
-  const F d = sqrt(d2);
-  const F solidAngle = o.area * abs(side) / (d * max(d2, 0.25f * o.area) + 1e-9f);
+  const F inverse = inverseSqrt(max(dot(to, to), 1e-12f));
+  const F solidAngle = o.area * abs(side) * inverse * min(inverse * inverse, 4 * o.inverseArea);
   seen = seen && solidAngle >= kLeastSolidAngle;
-  const F cosine = select(at.bothSides, F(1.0f), max(towards / max(d, 1e-20f), 0.1f));
+  const F cosine = select(at.bothSides, F(1.0f), max(towards * inverse, 0.1f));
   return only(seen, solidAngle * cosine);
 }
 
@@ -124,12 +124,13 @@ template <class F>
 Mask<F> Daylight::crosses(const Opening& o, const Vec3T<F>& from, const Vec3T<F>& direction) {
   using namespace lane_math;
   const Vec3T<F> normal = spread<F>(o.normal);
-  const F facing = dot(direction, normal);
+  // All times the cosine, for want of a division.
+  const F facing = dot(direction, normal), cosine = abs(facing);
   const Vec3T<F> corner = spread<F>(o.corner) - from;
-  const F t = dot(corner, normal) / facing;
-  const Vec3T<F> p = direction * t - corner;
+  const F t = copysign(F(1.0f), facing) * dot(corner, normal);
+  const Vec3T<F> p = direction * t - corner * cosine;
   const F u = dot(p, spread<F>(o.edgeU)) * o.inverseU2, v = dot(p, spread<F>(o.edgeV)) * o.inverseV2;
-  return abs(facing) >= 1e-7f && t > 0.0f && u >= 0.0f && u <= 1.0f && v >= 0.0f && v <= 1.0f;
+  return cosine >= 1e-7f && t > 0.0f && u >= 0.0f && u <= cosine && v >= 0.0f && v <= cosine;
 }
 
 template <class F>
@@ -200,7 +201,7 @@ auto Daylight::chooseSky(const ReceiverT<F>& at, std::type_identity_t<F> choice,
     const SphericalRectangleT<F> seen(corner, edgeU, edgeV, at.position);
     const Vec3T<F> d = seen.sample(u);
     const F l2 = dot(d, d);
-    made.wi = d * F(1.0f / lane_math::sqrt(lane_math::max(l2, 1e-30f)));
+    made.wi = d * inverseSqrt(lane_math::max(l2, 1e-30f));
     made.found = made.found || (seen.solidAngle() >= kLeastSolidAngle * 0.1f && l2 > 1e-30f && l2 < 1e30f);
   }
   if (!every(throughOpening)) {

@@ -57,7 +57,7 @@ class Daylight {
  private:
   struct Opening {
     Vec3f corner, edgeU, edgeV, centre, normal;  // normal points outdoors
-    float inverseU2 = 0.0f, inverseV2 = 0.0f, area = 0.0f;
+    float inverseU2 = 0.0f, inverseV2 = 0.0f, area = 0.0f, inverseArea = 0.0f;
     bool bothSides = false;
   };
   template <class F>

@@ -161,6 +161,7 @@ std::uint32_t LightTree::Builder::fold(std::uint32_t pair, std::uint32_t parent)
     const Vec3f centre = c.bounds.box.centre(), size = c.bounds.box.size();
     node.x[k] = centre.x, node.y[k] = centre.y, node.z[k] = centre.z;
     node.radius[k] = 0.5f * length(size);
+    node.inverseRadius[k] = 1 / std::max(node.radius[k], 1e-6f);
     // The smallest ball around a cap of unit vectors; beyond a half sphere it is the whole sphere's.
     const float cosine = std::max(c.bounds.cosSpread, 0.0f);
     const Vec3f axis = c.bounds.axis * cosine;
@@ -198,7 +199,7 @@ IDAP_INLINE F LightTree::importanceOf(const Node& node, int k, const Vec3T<F>& p
                                       const Vec3T<F>& normal, F behind) {
   using namespace lane_math;
   const Vec3T<F> to = spread<F>({node.x[k], node.y[k], node.z[k]}) - position;
-  const F inverse = min(inverseSqrt(max(dot(to, to), 1e-12f)), 1 / max(node.radius[k], 1e-6f));
+  const F inverse = min(inverseSqrt(max(dot(to, to), 1e-12f)), node.inverseRadius[k]);
   const F size = node.radius[k] * inverse;
   const F a = -dot(spread<F>({node.axisX[k], node.axisY[k], node.axisZ[k]}), to) * inverse;
   const F cosLight = max(a, F(node.backSign[k] * a)) + (node.slack[k] + size);

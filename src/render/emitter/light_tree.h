@@ -44,7 +44,7 @@ class LightTree {
   // Eight children, each quantity side by side.
   struct alignas(32) Node {
     float x[kWidth], y[kWidth], z[kWidth];                             // middles of their boxes
-    float radius[kWidth];                                              // of spheres around those
+    float radius[kWidth], inverseRadius[kWidth];                       // of spheres around those
     float axisX[kWidth], axisY[kWidth], axisZ[kWidth], slack[kWidth];  // middle and radius of a ball around
                                                                        // the normals
     float intensity[kWidth];                                           // 0: no child

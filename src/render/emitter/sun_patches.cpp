@@ -173,11 +173,9 @@ void SunPatches::cluster(std::vector<Spot>& spots, std::size_t most, float small
 }
 
 template <class F>
-SunPatchViewT<F>::SunPatchViewT(const SunPatches& p, const ReceiverT<F>& at)
-    : count_(static_cast<int>(p.patches_.size())) {
+SunPatchViewT<F>::SunPatchViewT(const SunPatches& p, const ReceiverT<F>& at) {
   using namespace lane_math;
-  for (int k = 0; k < count_; ++k) {
-    const SunPatches::Patch& patch = p.patches_[static_cast<std::size_t>(k)];
+  for (const SunPatches::Patch& patch : p.patches_) {
     const Vec3T<F> to = spread<F>(patch.centre) - at.position;
     const F inverse = inverseSqrt(max(dot(to, to), 1e-12f));
     const F sine = patch.radius * inverse;
@@ -187,12 +185,15 @@ SunPatchViewT<F>::SunPatchViewT(const SunPatches& p, const ReceiverT<F>& at)
     const F r = dot(at.normal, d);
     const F cosHere = select(at.bothSides, abs(r), r) + sine;
     // From within, a patch cannot be aimed at; ordinary bounces find it.
-    weight_[k] = only(sine < 0.95f, patch.flux * inverse * inverse * clamp(cosLight, 0.0f, 1.0f) *
-                                        clamp(cosHere, 0.0f, 1.0f));
+    const F weight = only(sine < 0.95f, patch.flux * inverse * inverse * clamp(cosLight, 0.0f, 1.0f) *
+                                            clamp(cosHere, 0.0f, 1.0f));
+    if (!any(weight > 0.0f)) continue;
+    const int k = count_++;
+    weight_[k] = weight;
     direction_[k] = d;
     // About 1 - sqrt(1 - sin2); any cone will do, as long as samples and densities agree on it.
     oneMinusCos_[k] = max(0.5f * sin2 * (1.0f + 0.25f * sin2 * (1.0f + sin2)), 1e-7f);
-    sum_ += weight_[k];
+    sum_ += weight;
   }
 }
 

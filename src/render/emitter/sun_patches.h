@@ -60,7 +60,7 @@ class SunPatchViewT {
   Vec3T<F> sample(F choice, const Vec2T<F>& u) const;
 
  private:
-  int count_;
+  int count_ = 0;                          // of those that shine on the point
   Vec3T<F> direction_[SunPatches::kMost];  // to the middles, unit
   F oneMinusCos_[SunPatches::kMost];
   F weight_[SunPatches::kMost];

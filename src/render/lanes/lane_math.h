@@ -17,6 +17,20 @@ IDAP_INLINE Floats inverseSqrt(Floats x) {
 #endif
 }
 
+// 1 / x within an ulp or two, for |x| from 1e-36 to 1e36.
+inline float reciprocal(float x) { return 1.0f / x; }
+IDAP_INLINE Floats reciprocal(Floats x) {
+#if defined(__AVX512F__)
+  const Floats y(_mm512_rcp14_ps(static_cast<__m512>(x)));
+  return y * (2.0f - x * y);
+#else
+  return 1.0f / x;
+#endif
+}
+
+// Of lengths from 1e-15 to 1e15.
+IDAP_INLINE LaneVec normalized(const LaneVec& v) { return v * inverseSqrt(dot(v, v)); }
+
 // Sine and cosine for |x| up to some hundreds; off by less than 2e-7.
 template <class F>
 void sinCos(F x, F& sine, F& cosine) {

@@ -22,6 +22,23 @@ AlbedoTermsT<F> read(const AlbedoTerms* table, Int<F> index) {
   return {gather(base, index * 2), gather(base, index * 2 + 1)};
 }
 
+// Two terms from 0 to 1 in one word, 16 bits each, so that they are fetched together.
+constexpr float kPacked = 65535.0f;
+std::uint32_t pack(AlbedoTerms t) {
+  const auto bits = [](float v) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * kPacked));
+  };
+  return bits(t.base) << 16 | bits(t.edge);
+}
+template <class F>
+AlbedoTermsT<F> unpacked(Word<F> w) {
+  return {toFloats(Word<F>(w >> 16)) * (1 / kPacked), toFloats(Word<F>(w & 0xffffu)) * (1 / kPacked)};
+}
+template <class F>
+AlbedoTermsT<F> readPacked(const std::uint32_t* table, Int<F> index) {
+  return unpacked<F>(std::bit_cast<Word<F>>(gather(reinterpret_cast<const float*>(table), index)));
+}
+
 // The mean over visible facets of G2/G1 times each Schlick term.
 AlbedoTerms integrate(float cosine, float roughness) {
   const Ggx ggx{roughness * roughness};
@@ -54,7 +71,7 @@ AlbedoTable::AlbedoTable() {
     for (int c = 0; c < kSize; ++c) {
       const float cosine = std::max(static_cast<float>(c) / (kSize - 1), 1e-3f);
       const float s = schlickWeight(cosine);
-      directional_[r][c] = r == 0 ? AlbedoTerms{1 - s, s} : integrate(cosine, roughness);
+      directional_[r][c] = pack(r == 0 ? AlbedoTerms{1 - s, s} : integrate(cosine, roughness));
     }
     // The mean of what directional() gives between its nodes, so that the two fit together exactly.
     constexpr int kSteps = 8 * (kSize - 1);
@@ -62,8 +79,8 @@ AlbedoTable::AlbedoTable() {
     for (int i = 0; i < kSteps; ++i) {
       const float cosine = (static_cast<float>(i) + 0.5f) / kSteps;
       const int k = i / 8;
-      const AlbedoTerms t =
-          mix(directional_[r][k], directional_[r][k + 1], cosine * (kSize - 1) - static_cast<float>(k));
+      const AlbedoTerms t = mix(unpacked<float>(directional_[r][k]), unpacked<float>(directional_[r][k + 1]),
+                                cosine * (kSize - 1) - static_cast<float>(k));
       base += static_cast<double>(2 * cosine * t.base) / kSteps;
       edge += static_cast<double>(2 * cosine * t.edge) / kSteps;
     }
@@ -79,9 +96,9 @@ AlbedoTermsT<F> AlbedoTable::directional(F cosine, F roughness) const {
   const F fx = min(floor(x), float(kSize - 2)), fy = min(floor(y), float(kSize - 2));
   const F s = x - fx, t = y - fy;
   const Int<F> at = toInt(fy * float(kSize) + fx);
-  const AlbedoTerms* table = directional_[0];
-  return mix(mix(read<F>(table, at), read<F>(table, at + 1), s),
-             mix(read<F>(table, at + kSize), read<F>(table, at + (kSize + 1)), s), t);
+  const std::uint32_t* table = directional_[0];
+  return mix(mix(readPacked<F>(table, at), readPacked<F>(table, at + 1), s),
+             mix(readPacked<F>(table, at + kSize), readPacked<F>(table, at + (kSize + 1)), s), t);
 }
 
 template <class F>

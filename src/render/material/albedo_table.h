@@ -29,7 +29,7 @@ class AlbedoTable {
  private:
   AlbedoTable();
   static constexpr int kSize = 32;
-  AlbedoTerms directional_[kSize][kSize];  // [roughness][cosine], both in even steps over 0..1
+  std::uint32_t directional_[kSize][kSize];  // [roughness][cosine], both in even steps over 0..1; packed
   AlbedoTerms average_[kSize];
 };
 

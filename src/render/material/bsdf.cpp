@@ -34,7 +34,7 @@ BsdfT<F>::BsdfT(const ShadingPoint<F>& s, const V& wo) : frame_(s.ns), ng_(s.ng)
   const M averted = wo_.z < 1e-3f;
   if (any(averted)) {
     // The shading normal has turned away from the viewer: take the nearest direction that it does see.
-    const F l2 = wo_.x * wo_.x + wo_.y * wo_.y, inverse = 1.0f / sqrt(max(l2, 1e-30f));
+    const F l2 = wo_.x * wo_.x + wo_.y * wo_.y, inverse = inverseSqrt(max(l2, 1e-30f));
     const V low = normalized(V{wo_.x * inverse, wo_.y * inverse, F(1e-3f)});
     wo_ = select(averted, select(l2 > 0.0f, low, spread<F>({0, 0, 1})), wo_);
   }
@@ -42,7 +42,7 @@ BsdfT<F>::BsdfT(const ShadingPoint<F>& s, const V& wo) : frame_(s.ns), ng_(s.ng)
   alpha_ = s.roughness * s.roughness;
   smooth_ = alpha_ < kSmoothAlpha;
   roughness_ = only(!smooth_, s.roughness);
-  eta_ = select(s.frontFace, 1.0f / s.ior, s.ior);
+  eta_ = select(s.frontFace, reciprocal(s.ior), s.ior);
 
   const V c = s.baseColor;
   const F metal = s.metalness;
@@ -84,7 +84,7 @@ BsdfT<F>::BsdfT(const ShadingPoint<F>& s, const V& wo) : frame_(s.ns), ng_(s.ng)
   // What the layer lets through reaches the base; (1 - E) on the way in and on the way out.
   const F layerAlbedo = s.f0 * e.base + s.f90 * e.edge;
   const F layerMean = s.f0 * mean.base + s.f90 * mean.edge;
-  baseScale_ = kInversePi * (1.0f - layerAlbedo) / (1.0f - layerMean);
+  baseScale_ = kInversePi * (1.0f - layerAlbedo) * reciprocal(1.0f - layerMean);
   reflectColor_ = c * F(base * (1.0f - s.translucency));
   throughColor_ = c * F(base * s.translucency);
   metalScale_ = 0.0f;
@@ -106,7 +106,7 @@ BsdfT<F>::BsdfT(const ShadingPoint<F>& s, const V& wo) : frame_(s.ns), ng_(s.ng)
   share_[kGlass] = luminance(glass_);
   F sum = share_[0];
   for (int i = 1; i < kLobes; ++i) sum += share_[i];
-  const F inverse = select(sum > 0.0f, 1.0f / sum, F(0.0f));
+  const F inverse = only(sum > 0.0f, reciprocal(max(sum, 1e-30f)));
   for (F& share : share_) share *= inverse;
 }
 
@@ -141,9 +141,9 @@ BsdfValueT<F> BsdfT<F>::evalLocal(const V& wo, const V& wi) const {
   if (any(facets)) {
     const GgxT<F> ggx{alpha_};
     const V h = normalized(wo + wi);
-    const F d = ggx.d(h), lo = ggx.lambda(wo);
-    r.value += only(facets, fresnel(dot(wo, h)) * F(d / ((1.0f + lo + ggx.lambda(wi)) * 4.0f * wo.z)));
-    r.pdf += only(facets, share_[kGlossy] * d / ((1.0f + lo) * 4.0f * wo.z));
+    const F d = ggx.d(h), lo = ggx.lambda(wo), scale = 4.0f * wo.z;
+    r.value += only(facets, fresnel(dot(wo, h)) * F(d * reciprocal((1.0f + lo + ggx.lambda(wi)) * scale)));
+    r.pdf += only(facets, share_[kGlossy] * d * reciprocal((1.0f + lo) * scale));
   }
   return r;
 }

@@ -15,13 +15,13 @@ struct GgxT {
 
   F d(const V& h) const {
     const F a2 = alpha * alpha;
-    const F k = (h.x * h.x + h.y * h.y) / a2 + h.z * h.z;
-    return 1.0f / (kPiF * a2 * k * k);
+    const F k = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
+    return a2 * reciprocal(kPiF * k * k);
   }
   F lambda(const V& w) const {
     using namespace lane_math;
     const F c2 = w.z * w.z;
-    const F inside = 1.0f + alpha * alpha * (w.x * w.x + w.y * w.y) / max(c2, 1e-30f);
+    const F inside = 1.0f + alpha * alpha * (w.x * w.x + w.y * w.y) * reciprocal(max(c2, 1e-30f));
     return select(c2 <= 0.0f, F(1e10f), 0.5f * (sqrt(inside) - 1.0f));
   }
   F g1(const V& w) const { return 1.0f / (1.0f + lambda(w)); }

@@ -1,24 +1,36 @@
 #include "render/sampling/distribution.h"
 
+#include <bit>
+
 #include "render/sampling/warp.h"
 
 namespace idap::render {
 
 namespace {
 
-// The last of the cells whose sum below is at most u; first: of their cumulative sums.
+// A row of cumulative sums and where to begin in it.
 template <class F>
-Int<F> cellAt(const float* cdf, Int<F> first, int cells, F u) {
-  int step = 1;
-  while (2 * step < cells) step *= 2;
-  Int<F> cell = 0;
-  for (; step > 0; step /= 2) {
-    const Int<F> next = cell + step;
-    const Mask<F> inside = toMask(next < cells);
-    const Mask<F> below = inside && gather(cdf, first + select(inside, next, cell)) <= u;
+struct Row {
+  const float* cdf;
+  const std::int32_t* guide;
+  Int<F> firstSum, firstGuide;
+  int cells;
+};
+
+// The last of the cells whose sum below is at most u.
+template <class F>
+Int<F> cellAt(const Row<F>& row, F u) {
+  using namespace lane_math;
+  const Int<F> step = toInt(min(F(u * static_cast<float>(row.cells)), static_cast<float>(row.cells - 1)));
+  Int<F> cell =
+      std::bit_cast<Int<F>>(gather(reinterpret_cast<const float*>(row.guide), row.firstGuide + step));
+  for (;;) {
+    const Int<F> next = cell + 1;
+    const Mask<F> inside = toMask(next < row.cells);
+    const Mask<F> below = inside && gather(row.cdf, row.firstSum + select(inside, next, cell)) <= u;
+    if (!any(below)) return cell;
     cell = select(below, next, cell);
   }
-  return cell;
 }
 
 // Inverts the sums: a point in [0,1), its cell and density.
@@ -28,13 +40,13 @@ struct Found {
   Int<F> cell;
 };
 template <class F>
-Found<F> invert(const float* cdf, Int<F> first, int cells, F u) {
+Found<F> invert(const Row<F>& row, F u) {
   using namespace lane_math;
-  const Int<F> cell = cellAt<F>(cdf, first, cells, u);
-  const F low = gather(cdf, first + cell), span = gather(cdf, first + cell + 1) - low;
+  const Int<F> cell = cellAt<F>(row, u), at = row.firstSum + cell;
+  const F low = gather(row.cdf, at), span = gather(row.cdf, at + 1) - low;
   const F within = select(span > 0.0f, clamp(F((u - low) / span), 0.0f, kOneMinusEpsilon), F(0.5f));
-  const float n = static_cast<float>(cells);
-  return {min((toFloats(cell) + within) / n, kOneMinusEpsilon), span * n, cell};
+  const float n = static_cast<float>(row.cells);
+  return {min((toFloats(cell) + within) * (1 / n), kOneMinusEpsilon), span * n, cell};
 }
 
 }  // namespace
@@ -62,13 +74,23 @@ float Distribution2D::addRow(std::span<const float> weights) {
   // Cells of weight 0 at the end must stay empty: lift them to 1 together with the last one that has weight.
   const float last = cdf_.back();
   for (auto it = cdf_.end(); it != cdf_.begin() + first && *(it - 1) == last; --it) *(it - 1) = 1.0f;
+  const auto cells = static_cast<std::int32_t>(weights.size());
+  std::int32_t cell = 0;
+  for (std::int32_t step = 0; step < cells; ++step) {
+    // A hair less, lest rounding lead past a cell.
+    const float u = static_cast<float>(step) / static_cast<float>(cells) * (1 - 1e-6f);
+    while (cell + 1 < cells && cdf_[static_cast<std::size_t>(first + cell + 1)] <= u) ++cell;
+    guide_.push_back(cell);
+  }
   return static_cast<float>(sum / n);
 }
 
 template <class F>
 auto Distribution2D::sample(const Vec2T<F>& u) const -> Sample<F> {
-  const Found<F> y = invert<F>(cdf_.data(), Int<F>(height_ * (width_ + 1)), height_, u.y);
-  const Found<F> x = invert<F>(cdf_.data(), y.cell * (width_ + 1), width_, u.x);
+  const Row<F> rows{cdf_.data(), guide_.data(), height_ * (width_ + 1), height_ * width_, height_};
+  const Found<F> y = invert<F>(rows, u.y);
+  const Row<F> row{cdf_.data(), guide_.data(), y.cell * (width_ + 1), y.cell * width_, width_};
+  const Found<F> x = invert<F>(row, u.x);
   return {{x.x, y.x}, x.pdf * y.pdf};
 }
 

@@ -2,6 +2,7 @@
 // for lanes of them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Distribution2D {
   int width_ = 0, height_ = 0;
   float mean_ = 0.0f;
   std::vector<float> cdf_;  // width_ + 1 numbers a row, then height_ + 1 for the choice of the row
+  // As many numbers as cells a row: for even steps of the random number, the cell where to begin to look for
+  // it (Chen and Asau 1974, "On generating random variates from an empirical distribution").
+  std::vector<std::int32_t> guide_;
 };
 
 }  // namespace idap::render

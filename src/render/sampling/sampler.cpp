@@ -6,6 +6,15 @@ namespace {
 
 template <class W>
 W reverseBits(W v) {
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__GFNI__)
+  if constexpr (std::is_same_v<W, Words>) {
+    // The bits of every byte by a product of matrices, then the bytes.
+    const __m512i bits =
+        _mm512_gf2p8affine_epi64_epi8(static_cast<__m512i>(v), _mm512_set1_epi64(0x8040201008040201), 0);
+    const __m512i bytes = _mm512_set4_epi32(0x0c0d0e0f, 0x08090a0b, 0x04050607, 0x00010203);
+    return Words(_mm512_shuffle_epi8(bits, bytes));
+  }
+#endif
   v = (v << 16) | (v >> 16);
   v = ((v & 0x00ff00ffu) << 8) | ((v >> 8) & 0x00ff00ffu);
   v = ((v & 0x0f0f0f0fu) << 4) | ((v >> 4) & 0x0f0f0f0fu);
