@@ -11,7 +11,6 @@ namespace {
 
 // What a shadow ray has met so far.
 struct ShadowRay {
-  Vec3f direction;
   Rgb transmittance{1, 1, 1};
   float lastT = -1.0f;  // the sheet counted last
   std::uint32_t lastInstance = kNone;
@@ -25,19 +24,49 @@ struct SheetsMet {
     float transmittance[3];
   };
   static constexpr int kMost = 8;
-  Vec3f direction;
   int count = 0;
   Sheet sheets[kMost];
+};
+
+// The directions of the rays under way, in world space; single ones or those of lanes.
+struct Directions {
+  const float *x, *y, *z;
+  explicit Directions(const Vec3f& one) : x(&one.x), y(&one.y), z(&one.z) {}
+  explicit Directions(const LaneVec& lanes)
+      : x(reinterpret_cast<const float*>(&lanes.x)),
+        y(reinterpret_cast<const float*>(&lanes.y)),
+        z(reinterpret_cast<const float*>(&lanes.z)) {}
+  Vec3f operator[](unsigned i) const { return {x[i], y[i], z[i]}; }
+};
+
+// What the rays of a kind meet on their way. Nothing is made of those that meet nothing, which most do.
+template <class Ray>
+struct Way {
+  std::uint32_t met = 0;  // a bit a ray
+  union {
+    Ray rays[kLanes];  // of those that have met something
+  };
+  Way() {}  // NOLINT: nothing to initialize
+  Ray& operator[](unsigned i) {
+    if ((met >> i & 1u) == 0) {
+      met |= 1u << i;
+      new (&rays[i]) Ray;
+    }
+    return rays[i];
+  }
 };
 
 // Travels through Embree to the filters; rays are found by their id.
 struct TraceContext {
   RTCIntersectContext embree;
   const CompiledScene::Accel* accel;
-  ShadowRay* shadows = nullptr;
-  SheetsMet* looks = nullptr;  // null: nearest hits of any kind
+  Directions directions;
+  Way<ShadowRay>* shadows = nullptr;
+  Way<SheetsMet>* looks = nullptr;  // null: nearest hits of any kind
 
-  explicit TraceContext(const CompiledScene::Accel& a, bool coherent = false) : accel(&a) {
+  template <class Vec>
+  TraceContext(const CompiledScene::Accel& a, const Vec& direction, bool coherent = false)
+      : accel(&a), directions(direction) {
     rtcInitIntersectContext(&embree);
     embree.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   }
@@ -63,7 +92,7 @@ Rgb transmittanceAt(const CompiledScene::Accel& accel, const HitInstance& instan
 }
 
 // True when the hit ends the ray.
-bool meets(const CompiledScene::Accel& accel, ShadowRay& ray, const RTCHit& hit, float t) {
+bool meets(const CompiledScene::Accel& accel, ShadowRay& ray, Vec3f direction, const RTCHit& hit, float t) {
   const std::uint32_t index = accel.instanceOf(hit.geomID, hit.instID[0]);
   if (sameSheet(t, index, ray.lastT, ray.lastInstance)) return false;
   ray.lastT = t;
@@ -71,36 +100,37 @@ bool meets(const CompiledScene::Accel& accel, ShadowRay& ray, const RTCHit& hit,
   const HitInstance& instance = accel.instances[index];
   const SurfaceData& surface =
       accel.surfaces[instance.surfaceOf(instance.triangleOf(hit.geomID, hit.primID))];
-  ray.transmittance *= transmittanceAt(accel, instance, surface, hit, ray.direction);
+  ray.transmittance *= transmittanceAt(accel, instance, surface, hit, direction);
   return !(maxComponent(ray.transmittance) > 1e-5f);
 }
-bool meets(const CompiledScene::Accel& accel, SheetsMet& ray, const RTCHit& hit, float t) {
+bool meets(const CompiledScene::Accel& accel, SheetsMet& ray, Vec3f direction, const RTCHit& hit, float t) {
   const std::uint32_t index = accel.instanceOf(hit.geomID, hit.instID[0]);
   const HitInstance& instance = accel.instances[index];
   const SurfaceData& surface =
       accel.surfaces[instance.surfaceOf(instance.triangleOf(hit.geomID, hit.primID))];
   if (!surface.clearSheet || ray.count == SheetsMet::kMost) return true;
-  const Rgb through = transmittanceAt(accel, instance, surface, hit, ray.direction);
+  const Rgb through = transmittanceAt(accel, instance, surface, hit, direction);
   ray.sheets[ray.count++] = {t, index, {through.x, through.y, through.z}};
   return false;
 }
 
 template <class Ray>
-void filter(const RTCFilterFunctionNArguments* args, Ray* rays) {
+void filter(const RTCFilterFunctionNArguments* args, Way<Ray>& way) {
   const auto& context = *reinterpret_cast<TraceContext*>(args->context);
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
     const RTCHit hit = rtcGetHitFromHitN(args->hit, args->N, i);
-    Ray& ray = rays[RTCRayN_id(args->ray, args->N, i)];
-    if (!meets(*context.accel, ray, hit, RTCRayN_tfar(args->ray, args->N, i))) args->valid[i] = 0;
+    const unsigned id = RTCRayN_id(args->ray, args->N, i);
+    const float t = RTCRayN_tfar(args->ray, args->N, i);
+    if (!meets(*context.accel, way[id], context.directions[id], hit, t)) args->valid[i] = 0;
   }
 }
 void shadowFilter(const RTCFilterFunctionNArguments* args) {
-  filter(args, reinterpret_cast<TraceContext*>(args->context)->shadows);
+  filter(args, *reinterpret_cast<TraceContext*>(args->context)->shadows);
 }
 void nearestFilter(const RTCFilterFunctionNArguments* args) {
-  SheetsMet* looks = reinterpret_cast<TraceContext*>(args->context)->looks;
-  if (looks) filter(args, looks);
+  Way<SheetsMet>* looks = reinterpret_cast<TraceContext*>(args->context)->looks;
+  if (looks) filter(args, *looks);
 }
 
 // What the sheets before the look's end let by.
@@ -192,7 +222,7 @@ const SieveFilters kSieveFilters{shadowFilter, nearestFilter};
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool coherent) const {
   if (log_) [[unlikely]]
     log_->push_back({ray, mask, false, coherent});
-  TraceContext context(*accel_, coherent);
+  TraceContext context(*accel_, ray.direction, coherent);
   RTCRayHit r;
   r.ray = embreeRay(ray, mask);
   r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -206,12 +236,13 @@ bool CompiledScene::intersect(const Ray& ray, Hit& hit, std::uint32_t mask, bool
 Rgb CompiledScene::transmittance(const Ray& ray) const {
   if (log_) [[unlikely]]
     log_->push_back({ray, kSeenByLight, true, false});
-  ShadowRay shadow{ray.direction};
-  TraceContext context(*accel_);
+  Way<ShadowRay> shadow;
+  TraceContext context(*accel_, ray.direction);
   context.shadows = &shadow;
   RTCRay r = embreeRay(ray, kSeenByLight);
   rtcOccluded1(accel_->top.get(), &context.embree, &r);
-  return r.tfar < 0 ? Rgb{} : shadow.transmittance;
+  if (r.tfar < 0) return {};
+  return shadow.met != 0 ? shadow[0].transmittance : Rgb{1, 1, 1};
 }
 
 bool CompiledScene::occluded(const Ray& ray) const { return maxComponent(transmittance(ray)) <= 0; }
@@ -225,43 +256,45 @@ void CompiledScene::intersect(LaneMask active, const LaneRays& rays, LaneHits& h
     forLanes(active, [&](int k) {
       log_->push_back({rayOf(rays, k), lane(masks, k), false, (lane(masks, k) & kSeenByCamera) != 0});
     });
-  TraceContext context(*accel_);
+  TraceContext context(*accel_, rays.direction);
   nearest(*accel_, context, active, rays, hits, masks);
 }
 
 void CompiledScene::look(LaneMask active, const LaneRays& rays, LaneHits& hits, LaneVec& through) const {
   if (log_) [[unlikely]]
     forLanes(active, [&](int k) { log_->push_back({rayOf(rays, k), kSeenByLight, false, false}); });
-  SheetsMet sheets[kLanes];
-  forLanes(active, [&](int k) { sheets[k].direction = lane(rays.direction, k); });
-  TraceContext context(*accel_);
-  context.looks = sheets;
+  Way<SheetsMet> sheets;
+  TraceContext context(*accel_, rays.direction);
+  context.looks = &sheets;
   nearest(*accel_, context, active, rays, hits, Words(kSeenByLight));
   through = spread<Floats>({1, 1, 1});
+  if (sheets.met == 0) return;
   LaneArray3 passed(through);
-  bool any = false;
-  forLanes(active, [&](int k) {
-    if (sheets[k].count == 0) return;
-    passed.set(k, transmittanceOf(sheets[k], lane(hits.t, k)));
-    any = true;
-  });
-  if (any) through = passed;
+  for (std::uint32_t bits = sheets.met; bits != 0; bits &= bits - 1) {
+    const int k = std::countr_zero(bits);
+    passed.set(k, transmittanceOf(sheets[static_cast<unsigned>(k)], lane(hits.t, k)));
+  }
+  through = passed;
 }
 
 LaneVec CompiledScene::transmittance(LaneMask active, const LaneRays& rays) const {
   if (log_) [[unlikely]]
     forLanes(active, [&](int k) { log_->push_back({rayOf(rays, k), kSeenByLight, true, false}); });
-  ShadowRay shadows[kLanes];
-  for (int k = 0; k < kLanes; ++k) shadows[k].direction = lane(rays.direction, k);
-  TraceContext context(*accel_);
-  context.shadows = shadows;
+  Way<ShadowRay> shadows;
+  TraceContext context(*accel_, rays.direction);
+  context.shadows = &shadows;
   RayPacket::RayHit r;
   alignas(64) int valid[kLanes];
   fill(r.ray, active, rays, Words(kSeenByLight), valid);
   RayPacket::occluded(valid, accel_->top.get(), &context.embree, &r.ray);
   const LaneMask free = active && Floats(r.ray.tfar, simd::element_aligned) >= 0.0f;
-  LaneArray3 through;
-  for (int k = 0; k < kLanes; ++k) through.set(k, shadows[k].transmittance);
+  const LaneVec one = spread<Floats>({1, 1, 1});
+  if (shadows.met == 0) return only(free, one);
+  LaneArray3 through(one);
+  for (std::uint32_t bits = shadows.met; bits != 0; bits &= bits - 1) {
+    const int k = std::countr_zero(bits);
+    through.set(k, shadows[static_cast<unsigned>(k)].transmittance);
+  }
   return only(free, LaneVec(through));
 }
 

@@ -1,9 +1,12 @@
 #include "render/emitter/local_lights.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "render/accel/compiled_scene.h"
 #include "render/emitter/lamp.h"
+#include "render/lanes/lane_rows.h"
 #include "render/sampling/frame.h"
 #include "render/sampling/warp.h"
 
@@ -38,6 +41,10 @@ LocalLights::LocalLights(const CompiledScene& scene)
       b.cosSpread = -1;
     any = any || b.intensity > 0;
     bounds.push_back(b);
+    rows_.push_back({{.position = lamp.position,
+                      .radiance = lamp.intensity,
+                      .radius = std::max(lamp.radius, 0.0f),
+                      .group = static_cast<float>(lamp.lightGroup)}});
   }
   for (std::uint32_t i = 0; i < scene.scene().instances.size(); ++i) addTriangles(scene, i, bounds);
   if (any || !triangles_.empty()) tree_ = LightTree(bounds);
@@ -86,6 +93,8 @@ void LocalLights::addTriangles(const CompiledScene& scene, std::uint32_t i,
     table[k] = static_cast<std::uint32_t>(bounds.size());
     bounds.push_back(b);
     triangles_.push_back(light);
+    rows_.push_back({{light.corner, light.edge1, light.edge2, light.radiance, light.inverseArea, 0.0f,
+                      light.frontOnly ? mirrored : 0.0f, static_cast<float>(light.lightGroup)}});
   }
 }
 
@@ -100,61 +109,39 @@ bool LocalLights::sample(const Receiver& at, float choice, Vec2f u, LightSample&
   return true;
 }
 
-namespace {
-
-// The lights that lanes have chosen: lamps, or triangles.
-struct ChosenLights {
-  LaneArray3 position, edge1, edge2, normal;  // of a triangle its corner; its normal
-  LaneArray3 radiance;                        // of a lamp its intensity
-  LaneArray radius, inverseArea, twoSided, probability, triangle, group;
-};
-
-}  // namespace
-
 LaneMask LocalLights::sample(LaneMask active, const LaneReceiver& at, Floats choice, const LaneVec2& u,
                              LightSampleT<Floats>& s) const {
   using namespace lane_math;
   LightTree::Choice choices[kLanes];
   tree_.choose(active, at, choice, choices);
-  ChosenLights c;
-  for (int k = 0; k < kLanes; ++k) {
-    const LightTree::Choice none{};
-    const LightTree::Choice& one = lane(active, k) ? choices[k] : none;
-    c.probability[k] = one.probability;
-    const bool isTriangle = one.light >= lampCount_;
-    c.triangle[k] = isTriangle;
-    if (isTriangle) {
-      const Triangle& light = triangles_[one.light - lampCount_];
-      c.position.set(k, light.corner), c.edge1.set(k, light.edge1), c.edge2.set(k, light.edge2);
-      c.normal.set(k, light.normal), c.radiance.set(k, light.radiance);
-      c.inverseArea[k] = light.inverseArea, c.twoSided[k] = !light.frontOnly, c.radius[k] = 0;
-      c.group[k] = light.lightGroup;
-    } else {
-      const Lamp& lamp = scene_.scene().lamps[one.light];
-      c.position.set(k, lamp.position), c.edge1.set(k, {}), c.edge2.set(k, {});
-      c.normal.set(k, {0, 0, 1}), c.radiance.set(k, lamp.intensity);
-      c.inverseArea[k] = 0, c.twoSided[k] = 0, c.radius[k] = lamp.radius;
-      c.group[k] = lamp.lightGroup;
-    }
-  }
-  const Floats probability = c.probability, radius = c.radius;
-  const LaneMask isTriangle = Floats(c.triangle) > 0.0f, isSphere = radius > 0.0f;
+  static constexpr Row kNoLight{};
+  std::array<const Row*, kLanes> rows;
+  rows.fill(&kNoLight);
+  LaneArray chance(0.0f);
+  forLanes(active, [&](int k) {
+    if (!(choices[k].probability > 0)) return;
+    rows[static_cast<std::size_t>(k)] = &rows_[choices[k].light];
+    chance[k] = choices[k].probability;
+  });
+  const auto c = std::bit_cast<RowT<Floats>>(fetchWords(rows));
+  const Floats probability = chance, radius = c.radius;
+  const LaneMask isTriangle = c.inverseArea > 0.0f, isSphere = radius > 0.0f;
   LaneMask found = active && probability > 0.0f;
   const LaneVec2 b = uniformTriangle(u);
-  const LaneVec to = LaneVec(c.position) + LaneVec(c.edge1) * b.x + LaneVec(c.edge2) * b.y - at.position;
+  const LaneVec to = c.position + c.edge1 * b.x + c.edge2 * b.y - at.position;
   const Floats d2 = dot(to, to), inverse = inverseSqrt(max(d2, 1e-20f));
   found = found && d2 > max(radius * radius, 1e-10f);
   s.distance = d2 * inverse;
   s.wi = to * inverse;
   s.pdf = 0.0f;
   s.weight = c.radiance;
-  s.lightGroup = toInt(Floats(c.group));
+  s.lightGroup = toInt(c.group);
   const LaneMask triangles = found && isTriangle, spheres = found && isSphere;
   if (any(triangles)) {
-    Floats cosine = -dot(LaneVec(c.normal), s.wi);
-    cosine = select(Floats(c.twoSided) > 0.0f, abs(cosine), cosine);
+    Floats cosine = -0.5f * c.inverseArea * dot(cross(c.edge1, c.edge2), s.wi);
+    cosine = select(c.front == 0.0f, abs(cosine), c.front * cosine);
     found = found && !(isTriangle && cosine <= 1e-6f);
-    s.pdf = select(isTriangle, probability * Floats(c.inverseArea) * d2 / cosine, s.pdf);
+    s.pdf = select(isTriangle, probability * c.inverseArea * d2 / cosine, s.pdf);
     s.weight = select(isTriangle, s.weight * Floats(1.0f / s.pdf), s.weight);
   }
   if (any(spheres)) {

@@ -47,11 +47,22 @@ class LocalLights {
     bool mayPass = false;    // has gaps, through which it does not shine
     bool frontOnly = false;  // part of a closed shell: its back is never seen from outside
   };
+  // What sampling needs of a lamp or triangle. F: float, or Floats for a light a lane.
+  template <class F>
+  struct RowT {
+    Vec3T<F> position, edge1, edge2;  // of a triangle its corner; edges 0 for lamps
+    Vec3T<F> radiance;                // of a lamp its intensity
+    F inverseArea, radius;            // of a triangle, of a lamp; else 0
+    F front;  // of triangles that shine to one side 1, or -1 where the edges turn the other way; else 0
+    F group;
+  };
+  struct alignas(64) Row : RowT<float> {};
   void addTriangles(const CompiledScene& scene, std::uint32_t instance, std::vector<LightBounds>& bounds);
   float opacityAt(const Triangle& light, Vec2f barycentric) const;
 
   const CompiledScene& scene_;
   std::size_t lampCount_ = 0;
+  std::vector<Row> rows_;  // lamps, then triangles
   std::vector<Triangle> triangles_;
   std::vector<std::vector<std::uint32_t>> lightOfTriangle_;  // by instance, then by triangle; kNone: dark
   LightTree tree_;

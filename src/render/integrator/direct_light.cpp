@@ -59,13 +59,6 @@ void DirectLight::answer() {
   doubled_.clear();
 }
 
-void DirectLight::count(LaneMask lanes, const Ask& ask, const Ints& rays) {
-  forLanes(lanes, [&](int k) {
-    batch_.samples[static_cast<std::size_t>(lane(ask.path, k))].rays +=
-        static_cast<std::uint32_t>(lane(rays, k));
-  });
-}
-
 template <class Asked>
 void DirectLight::add(LightSource source, LaneMask lanes, const Asked& asked, const LaneVec& light,
                       const Ints& group) {
@@ -93,7 +86,7 @@ void DirectLight::connect(LightSource source, LaneMask lanes, const Ask& ask, co
     value *= select(light.pdf > 0.0f, share(light.pdf, f.pdf), Floats(1.0f));
   lanes = lanes && maxComponent(value) > 0.0f;
   if (!any(lanes)) return;
-  count(lanes, ask, 1);
+  batch_.rays += static_cast<std::uint64_t>(std::popcount(bitsOf(lanes)));
   value *= scene_.transmittance(
       lanes, {at.originTowards(light.wi), light.wi, 0.0f, light.distance * (1 - 5e-5f) - at.offset});
   lanes = lanes && maxComponent(value) > 0.0f;
@@ -207,9 +200,7 @@ void DirectLight::lookOut(LaneMask lanes, const Ask& ask) {
   if (both) value *= share(pdf, f.pdf);
   lanes = lanes && maxComponent(value) > 0.0f;
   if (!any(lanes)) return;
-  Ints rays = 0;
-  const Seen seen = look(scene_, lanes, at.originTowards(wi), wi, draws, rays);
-  count(lanes, ask, rays);
+  const Seen seen = look(scene_, lanes, at.originTowards(wi), wi, draws, batch_.rays);
   const LaneVec sky = seen.sky * value;
   add(LightSource::Sky, lanes, ask, sky * clampScale(options_, sky, hasFlag(ask, kAskIndirect)), 0);
   if (!both) return;

@@ -41,7 +41,7 @@ enum AskFlag : std::int32_t {
 
 class DirectLight {
  public:
-  DirectLight(const CompiledScene& scene, const PathOptions& options, const WalkBatch& batch)
+  DirectLight(const CompiledScene& scene, const PathOptions& options, WalkBatch& batch)
       : scene_(scene), options_(options), batch_(batch) {}
 
   void ask(LightSource source, LaneMask lanes, const Ask& ask) {
@@ -78,11 +78,10 @@ class DirectLight {
   // asked: an Ask or Doubled.
   template <class Asked>
   void add(LightSource source, LaneMask lanes, const Asked& asked, const LaneVec& light, const Ints& group);
-  void count(LaneMask lanes, const Ask& ask, const Ints& rays);
 
   const CompiledScene& scene_;
   const PathOptions& options_;
-  const WalkBatch& batch_;
+  WalkBatch& batch_;
   LaneQueue<Ask> queues_[kLightSources], looks_, out_;
   LaneQueue<Doubled> doubled_;
 };

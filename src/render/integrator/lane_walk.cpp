@@ -54,11 +54,10 @@ void LaneWalk::addMet(int k, Rgb light, std::uint16_t group) {
 
 LaneMask LaneWalk::step(LaneMask active) {
   using namespace lane_math;
-  const LaneMask begins = active;
   active = active && toMask(state.segments <= kMostSegments);
   const LaneMask primary = active && toMask(state.bounces == 0);
   state.segments += 1;
-  state.rays = select(active, state.rays + 1, state.rays);
+  batch_.rays += static_cast<std::uint64_t>(std::popcount(bitsOf(active)));
   const LaneRays rays{state.origin, state.direction, state.tMin};
   LaneHits hits;
   scene_.intersect(active, rays, hits, select(primary, Words(kCameraRay), Words(kBounceRay)));
@@ -94,12 +93,7 @@ LaneMask LaneWalk::step(LaneMask active) {
   }
   // On along the same ray, behind what it has hit.
   state.tMin = select(passed, hits.t * 1.000002f + 1e-7f, state.tMin);
-  goesOn = goesOn || passed;
-  forLanes(begins && !goesOn, [&](int k) {
-    batch_.samples[static_cast<std::size_t>(pathOf(k))].rays +=
-        static_cast<std::uint32_t>(lane(state.rays, k));
-  });
-  return goesOn;
+  return goesOn || passed;
 }
 
 void LaneWalk::addEmission(LaneMask lanes, const LaneHits& hits, const LanePoints& at) {

@@ -17,7 +17,7 @@ struct WalkState {
   Floats worth;                      // cd/m2, that the guide has to expect to follow it; 0: not known yet
   LaneSampler sampler;
   Ints flags;  // WalkFlag
-  Ints bounces, segments, rays;
+  Ints bounces, segments;
   Ints path;  // its number in the batch
 };
 

@@ -59,7 +59,10 @@ template class OutlookT<float>;
 template class OutlookT<Floats>;
 
 Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, const LaneVec& direction,
-          const LookDraws& draws, Ints& rays) {
+          const LookDraws& draws, std::uint64_t& rays) {
+  const auto count = [&](LaneMask lanes) {
+    rays += static_cast<std::uint64_t>(std::popcount(bitsOf(lanes)));
+  };
   const Daylight& daylight = scene.lights().daylight();
   const SunPatches& patches = scene.lights().sunPatches();
   Seen seen{spread<Floats>({}), spread<Floats>({}), spread<Floats>({})};
@@ -68,7 +71,7 @@ Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, co
   for (int sheet = 0; sheet <= kMostVeils && any(active); ++sheet) {
     LaneHits hits;
     LaneVec sheets;
-    rays = select(active, rays + 1, rays);
+    count(active);
     scene.look(active, ray, hits, sheets);
     through *= sheets;
     const LaneMask out = active && !hits.found;
@@ -86,7 +89,7 @@ Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, co
           bsdf.eval(sun.wi).value * sun.weight * through * Floats(at.opacity * at.terminatorFor(sun.wi));
       lit = lit && maxComponent(value) > 0.0f;
       if (any(lit)) {
-        rays = select(lit, rays + 1, rays);
+        count(lit);
         seen.sun += only(lit, value * scene.transmittance(lit, {at.originTowards(sun.wi), sun.wi}));
       }
     }
@@ -99,7 +102,7 @@ Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, co
         LaneVec value = f.value * light.weight * through * Floats(at.opacity * at.terminatorFor(light.wi));
         value *= select(light.pdf > 0.0f, share(light.pdf, f.pdf), Floats(1.0f));
         near = near && maxComponent(value) > 0.0f;
-        rays = select(near, rays + 1, rays);
+        count(near);
         if (any(near)) {
           value *= scene.transmittance(
               near, {at.originTowards(light.wi), light.wi, 0.0f, light.distance * (1 - 5e-5f) - at.offset});

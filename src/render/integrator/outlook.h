@@ -42,6 +42,6 @@ struct LookDraws {
 };
 // From those lanes that the mask has. Adds the rays that it takes.
 Seen look(const CompiledScene& scene, LaneMask active, const LaneVec& origin, const LaneVec& direction,
-          const LookDraws& draws, Ints& rays);
+          const LookDraws& draws, std::uint64_t& rays);
 
 }  // namespace idap::render

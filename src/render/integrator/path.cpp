@@ -56,14 +56,15 @@ void add(PathStarts& starts, const Ray& ray, const SamplerT<float>& sampler) {
                               {sampler.reversedIndex, sampler.seed, sampler.dimension}});
 }
 
-void PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups) const {
-  if (starts.empty()) return;
+std::uint64_t PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups) const {
+  if (starts.empty()) return 0;
   WalkQueue paths = begun(starts);
   samples = samples.first(starts.size());
   std::ranges::fill(samples, PathSample{});
   WalkBatch batch{samples, groups, groups.size() / starts.size(), {}};
   LaneWalk walk(scene_, options_, batch);
   follow(paths, walk, oneStep);
+  return batch.rays;
 }
 
 void PathTracer::learn(const PathStarts& starts, std::vector<CacheRecord>& records) const {

@@ -47,7 +47,6 @@ struct PathSample {
   Vec3f normal{};
   float depth = 0.0f;          // to the first surface of any kind, m
   std::uint32_t objectId = 0;  // of that surface
-  std::uint32_t rays = 0;
 };
 
 class PathTracer {
@@ -59,8 +58,8 @@ class PathTracer {
   static constexpr std::size_t kBatch = 2048;
 
   // Follows the paths; samples: one each, in order. groups: empty, or equally many sums a path, one a light
-  // group, to which its light is added.
-  void trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups = {}) const;
+  // group, to which its light is added. Returns how many rays it took.
+  std::uint64_t trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups = {}) const;
 
   // Traces paths and adds what they have learned of the light to the records.
   void learn(const PathStarts& starts, std::vector<CacheRecord>& records) const;

@@ -26,6 +26,7 @@ struct WalkBatch {
   std::span<Rgb> groups;
   std::size_t groupCount = 0;
   std::span<std::vector<Lesson>> lessons;  // empty: nothing is to be learned
+  std::uint64_t rays = 0;                  // traced so far
 
   void add(int path, Rgb light, std::size_t group) const {
     const auto i = static_cast<std::size_t>(path);

@@ -213,18 +213,15 @@ class Job {
     if (classic_)
       traceClassic(batch);
     else
-      tracer_.trace(batch.starts, batch.samples, batch.groups);
+      traced_ += tracer_.trace(batch.starts, batch.samples, batch.groups);
     std::size_t i = 0;
-    std::uint64_t traced = 0;
     for (const Pending& p : batch.pending) {
       film_.weight[p.pixel] += 1;
       if (!p.hasRay) continue;
       add(batch.samples[i], p, std::span(batch.groups).subspan(i * groups, groups));
-      traced += batch.samples[i].rays;
       ++i;
     }
     paths_ += batch.starts.size();
-    traced_ += traced;
     batch.pending.clear();
     batch.starts.clear();
   }

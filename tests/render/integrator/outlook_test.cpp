@@ -66,13 +66,11 @@ TEST(Outlook, DensitiesAreThoseOfTheDirectionsSampled) {
 struct SeenOnce {
   Rgb sky, sun;
 };
-SeenOnce lookOnce(const CompiledScene& scene, Vec3f origin, Vec3f direction, Vec2f u, int& rays) {
+SeenOnce lookOnce(const CompiledScene& scene, Vec3f origin, Vec3f direction, Vec2f u, std::uint64_t& rays) {
   LaneMask one(false);
   one[0] = true;
-  Ints counted = 0;
   const LookDraws draws{{u.x, u.y}, {u.x, u.y}, 0.5f};
-  const Seen seen = look(scene, one, toLanes(origin), toLanes(direction), draws, counted);
-  rays += lane(counted, 0);
+  const Seen seen = look(scene, one, toLanes(origin), toLanes(direction), draws, rays);
   return {lane(seen.sky, 0), lane(seen.sun, 0)};
 }
 
@@ -80,7 +78,7 @@ TEST(Outlook, ALookSeesTheSunOnTheFloorAndTheSkyThroughGlass) {
   for (const bool glazed : {false, true}) {
     const auto scene = sunnyRoom(glazed);
     Sampler sampler(0, 0, 0, 0, 0);
-    int rays = 0;
+    std::uint64_t rays = 0;
     // The sun at 45 degrees reaches from x = 2 to x = 3 on the floor.
     const auto onFloor = lookOnce(*scene, {2.5f, 2, 2}, {0, 0, -1}, sampler.get2D(), rays);
     const float through = glazed ? 0.9f : 1.0f;

@@ -80,7 +80,7 @@ TEST(Path, WhatAPathBringsDoesNotDependOnItsNeighbours) {
     for (std::size_t i = 0; i < together.size(); ++i) {
       EXPECT_EQ(together[i].radiance, apart[i].radiance) << i;
       EXPECT_EQ(together[i].albedo, apart[i].albedo) << i;
-      EXPECT_EQ(together[i].rays, apart[i].rays) << i;
+      EXPECT_EQ(together[i].depth, apart[i].depth) << i;
     }
   }
 }
