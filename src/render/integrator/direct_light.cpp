@@ -45,14 +45,12 @@ struct DirectLight::Point {
 
 void DirectLight::answer() {
   const auto queue = [&](LightSource s) -> LaneQueue<Ask>& { return queues_[static_cast<std::size_t>(s)]; };
-  Ask ask;
-  queue(LightSource::Sun).visit(ask, [&](LaneMask lanes) { askSun(lanes, ask); });
-  queue(LightSource::Lamps).visit(ask, [&](LaneMask lanes) { askLamps(lanes, ask); });
-  queue(LightSource::Sky).visit(ask, [&](LaneMask lanes) { askSky(lanes, ask); });
-  looks_.visit(ask, [&](LaneMask lanes) { lookOut(lanes, ask); });
-  out_.visit(ask, [&](LaneMask lanes) { addSky(lanes, ask); });
-  Doubled found;
-  doubled_.visit(found, [&](LaneMask lanes) { addDoubled(lanes, found); });
+  queue(LightSource::Sun).visit([&](LaneMask lanes, const Ask& ask) { askSun(lanes, ask); });
+  queue(LightSource::Lamps).visit([&](LaneMask lanes, const Ask& ask) { askLamps(lanes, ask); });
+  queue(LightSource::Sky).visit([&](LaneMask lanes, const Ask& ask) { askSky(lanes, ask); });
+  looks_.visit([&](LaneMask lanes, const Ask& ask) { lookOut(lanes, ask); });
+  out_.visit([&](LaneMask lanes, const Ask& ask) { addSky(lanes, ask); });
+  doubled_.visit([&](LaneMask lanes, const Doubled& found) { addDoubled(lanes, found); });
   for (LaneQueue<Ask>& q : queues_) q.clear();
   looks_.clear();
   out_.clear();

@@ -21,7 +21,8 @@ void follow(WalkQueue& paths, LaneWalk& walk, Begin&& begin) {
   WalkQueue next;
   for (bool first = true; !paths.empty(); first = false) {
     next.clear();
-    paths.visit(walk.state, [&](LaneMask active) {
+    paths.visit([&](LaneMask active, const WalkState& state) {
+      walk.state = state;
       const Words dimension = walk.state.sampler.dimension;
       const LaneMask goesOn = first ? begin(walk, active) : walk.step(active);
       walk.state.sampler.dimension = dimension + kDrawsAStep;
@@ -35,9 +36,8 @@ void follow(WalkQueue& paths, LaneWalk& walk, Begin&& begin) {
 // flags: WalkFlags that they all have.
 WalkQueue begun(const PathStarts& starts, std::int32_t flags = 0) {
   WalkQueue paths;
-  PathStart start;
   Ints path = laneNumbers();
-  starts.visit(start, [&](LaneMask lanes) {
+  starts.visit([&](LaneMask lanes, const PathStart& start) {
     WalkState state = beginWalk(start, path);
     state.flags |= flags;
     paths.push(lanes, state);
@@ -56,7 +56,8 @@ void add(PathStarts& starts, const Ray& ray, const SamplerT<float>& sampler) {
                               {sampler.reversedIndex, sampler.seed, sampler.dimension}});
 }
 
-std::uint64_t PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups) const {
+std::uint64_t PathTracer::trace(const PathStarts& starts, std::span<PathSample> samples,
+                                std::span<Rgb> groups) const {
   if (starts.empty()) return 0;
   WalkQueue paths = begun(starts);
   samples = samples.first(starts.size());

@@ -59,7 +59,8 @@ class PathTracer {
 
   // Follows the paths; samples: one each, in order. groups: empty, or equally many sums a path, one a light
   // group, to which its light is added. Returns how many rays it took.
-  std::uint64_t trace(const PathStarts& starts, std::span<PathSample> samples, std::span<Rgb> groups = {}) const;
+  std::uint64_t trace(const PathStarts& starts, std::span<PathSample> samples,
+                      std::span<Rgb> groups = {}) const;
 
   // Traces paths and adds what they have learned of the light to the records.
   void learn(const PathStarts& starts, std::vector<CacheRecord>& records) const;

@@ -2,7 +2,6 @@
 // idle when the records are visited. In the order in which they were pushed.
 #pragma once
 
-#include <array>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -36,7 +35,7 @@ class CloseUp {
   void move(const void* from, float* here, float* next) const {
 #if defined(__AVX512F__)
     const __m512 moved = _mm512_maskz_permutexvar_ps(0xffff, from_, _mm512_load_ps(from));
-    _mm512_store_ps(here, _mm512_mask_mov_ps(_mm512_load_ps(here), here_, moved));
+    _mm512_mask_store_ps(here, here_, moved);
     if (next_ != 0) _mm512_store_ps(next, moved);
 #else
     int to = behind_;
@@ -72,45 +71,41 @@ class LaneQueue {
   void push(LaneMask lanes, const Record& record) {
     const std::size_t block = count_ / kLanes;
     while (chunks_.size() * kChunk < block + 2)
-      chunks_.push_back(std::make_unique_for_overwrite<Block[]>(kChunk));
-    Block &here = at(block), &next = at(block + 1);
+      chunks_.push_back(std::make_unique_for_overwrite<Record[]>(kChunk));
     if (count_ % kLanes == 0 && every(lanes)) {
-      std::memcpy(static_cast<void*>(&here), static_cast<const void*>(&record), sizeof(record));
+      at(block) = record;
       count_ += kLanes;
       return;
     }
     const CloseUp closeUp(lanes, static_cast<int>(count_ % kLanes));
     const auto* from = reinterpret_cast<const char*>(&record);
+    float *here = words(at(block)), *next = words(at(block + 1));
     for (std::size_t w = 0; w < kWords; ++w)
-      closeUp.move(from + w * sizeof(Floats), here[w].value, next[w].value);
+      closeUp.move(from + w * sizeof(Floats), here + w * kLanes, next + w * kLanes);
     count_ += static_cast<std::size_t>(closeUp.count());
   }
 
-  // Calls f(lanes) after putting as many as there are lanes into the record, until all have been; idle lanes
-  // have the first one's numbers.
+  // Calls f(lanes, record) for as many at a time as there are lanes, until all have been; idle lanes have the
+  // first one's numbers.
   template <class Function>
-  void visit(Record& record, Function&& f) const {
+  void visit(Function&& f) const {
     std::size_t block = 0;
-    for (; block < count_ / kLanes; ++block) {
-      std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&at(block)), sizeof(record));
-      f(LaneMask(true));
-    }
+    for (; block < count_ / kLanes; ++block) f(LaneMask(true), at(block));
     const auto held = static_cast<int>(count_ % kLanes);
     if (held == 0) return;
-    Block last = at(block);
-    for (LaneArray& word : last)
-      for (int k = held; k < kLanes; ++k) word[k] = word[0];
-    std::memcpy(static_cast<void*>(&record), static_cast<const void*>(&last), sizeof(record));
-    f(firstLanes(held));
+    // By memcpy, as not all words are of the same type.
+    float* last = words(at(block));
+    for (std::size_t w = 0; w < kWords; ++w, last += kLanes)
+      for (int k = held; k < kLanes; ++k) std::memcpy(last + k, last, sizeof(float));
+    f(firstLanes(held), at(block));
   }
 
  private:
-  using Block = std::array<LaneArray, kWords>;
-  static constexpr std::size_t kChunk = 16;  // blocks that are allocated together
-  Block& at(std::size_t block) { return chunks_[block / kChunk][block % kChunk]; }
-  const Block& at(std::size_t block) const { return chunks_[block / kChunk][block % kChunk]; }
+  static constexpr std::size_t kChunk = 16;  // records that are allocated together
+  Record& at(std::size_t block) const { return chunks_[block / kChunk][block % kChunk]; }
+  static float* words(Record& record) { return reinterpret_cast<float*>(&record); }
 
-  std::vector<std::unique_ptr<Block[]>> chunks_;
+  std::vector<std::unique_ptr<Record[]>> chunks_;
   std::size_t count_ = 0;
 };
 

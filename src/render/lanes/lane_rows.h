@@ -42,7 +42,8 @@ std::array<Floats, 16> fetchWords(const std::array<const Row*, kLanes>& rows) {
   }
 #else
   for (std::size_t w = 0; w < words.size(); ++w)
-    words[w] = Floats([&](auto k) { return reinterpret_cast<const float*>(rows[static_cast<std::size_t>(k)])[w]; });
+    words[w] =
+        Floats([&](auto k) { return reinterpret_cast<const float*>(rows[static_cast<std::size_t>(k)])[w]; });
 #endif
   return words;
 }

@@ -244,8 +244,7 @@ class Job {
   void traceClassic(Batch& batch) const {
     auto pending = batch.pending.begin();
     auto sample = batch.samples.begin();
-    PathStart start;
-    batch.starts.visit(start, [&](LaneMask lanes) {
+    batch.starts.visit([&](LaneMask lanes, const PathStart& start) {
       forLanes(lanes, [&](int k) {
         while (!pending->hasRay) ++pending;
         *sample++ = classic({lane(start.origin, k), lane(start.direction, k)}, (pending++)->pixel);

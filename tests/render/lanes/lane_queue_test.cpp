@@ -30,8 +30,7 @@ TEST(LaneQueue, KeepsTheLanesOfTheMaskInOrderAndWithoutGaps) {
   }
   std::vector<int> found;
   std::size_t visits = 0;
-  Record record;
-  queue.visit(record, [&](LaneMask lanes) {
+  queue.visit([&](LaneMask lanes, const Record& record) {
     ++visits;
     forLanes(lanes, [&](int k) {
       found.push_back(lane(record.name, k));
@@ -45,8 +44,7 @@ TEST(LaneQueue, KeepsTheLanesOfTheMaskInOrderAndWithoutGaps) {
 TEST(LaneQueue, IdleLanesRepeatTheFirst) {
   LaneQueue<Record> queue;
   queue.push(bits(2), {Floats([](int k) { return static_cast<float>(k); }), Ints([](int k) { return k; })});
-  Record record;
-  queue.visit(record, [&](LaneMask lanes) {
+  queue.visit([&](LaneMask lanes, const Record& record) {
     EXPECT_EQ(bitsOf(lanes), 1u);
     EXPECT_TRUE(every(record.number == 1.0f));
   });
@@ -59,8 +57,7 @@ TEST(LaneQueue, ClearedHoldsNothing) {
   EXPECT_FALSE(queue.empty());
   queue.clear();
   EXPECT_TRUE(queue.empty());
-  Record record;
-  queue.visit(record, [](LaneMask) { ADD_FAILURE(); });
+  queue.visit([](LaneMask, const Record&) { ADD_FAILURE(); });
 }
 
 }  // namespace
