@@ -1,5 +1,6 @@
 // Rays through the compiled scene, one by one and side by side.
 #include <algorithm>
+#include <new>
 #include <tuple>
 
 #include "render/accel/embree_ray.h"

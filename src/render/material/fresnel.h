@@ -34,13 +34,8 @@ F fresnelDielectric(F cosine, F ior) {
 // polarization by itself.
 template <class F>
 F fresnelSheet(F cosine, F ior) {
-  using namespace lane_math;
-  const F sin2 = (1.0f - cosine * cosine) / (ior * ior);
-  const F inside = sqrt(max(1.0f - sin2, 0.0f)), near = ior * cosine, far = ior * inside;
-  // R = a^2 / b^2 makes R / (1 + R) = a^2 / (a^2 + b^2).
-  const auto term = [](F a, F b) { return F(a * a / (a * a + b * b)); };
-  const F r = term(F(cosine - far), F(cosine + far)) + term(F(near - inside), F(near + inside));
-  return select(sin2 >= 1.0f, F(1.0f), r);
+  const FresnelTermsT<F> r = fresnelTerms(cosine, ior);
+  return r.s / (1.0f + r.s) + r.p / (1.0f + r.p);
 }
 
 // The sheet at normal incidence, of the reflectance f0 of one face.

@@ -87,22 +87,23 @@ F toUnit(Word<F> v) {
 
 // A pixel's place in the sequences.
 struct Curve {
-  std::uint32_t bits, epoch, within;
+  int bits;  // of a pixel's samples
   // The Z curve has room for a square of 2^(16 - bits/2) pixels; beyond it another seed starts.
   int side;
+  std::uint32_t epoch, within;
   std::uint64_t pictureSeed;
 
   Curve(std::uint32_t sample, int log2Samples, std::uint64_t picture)
-      : bits(static_cast<std::uint32_t>(log2Samples)),
+      : bits(log2Samples),
+        side(16 - (log2Samples + 1) / 2),
         epoch(sample >> bits),
         within(sample & ((1u << bits) - 1u)),
-        side(16 - (log2Samples + 1) / 2),
         pictureSeed(picture) {}
   template <class W>
   W reversedIndex(W x, W y) const {
     const std::uint32_t mask = (1u << side) - 1u;
     const W z = spreadBits(W(x & mask)) | (spreadBits(W(y & mask)) << 1);
-    return reverseBits(W((z << log2Samples()) | within));
+    return reverseBits(W((z << bits) | within));
   }
   template <class W>
   W square(W x, W y) const {
@@ -111,9 +112,6 @@ struct Curve {
   std::uint32_t seedOf(std::uint32_t square) const {
     return mixBits(join(mixBits(pictureSeed), mixBits(join(epoch, square))));
   }
-
- private:
-  int log2Samples() const { return static_cast<int>(bits); }
 };
 
 }  // namespace
